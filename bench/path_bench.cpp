@@ -40,7 +40,7 @@ ethercat::slave_record slave_in_pre_op() {
     any_object objects;
     std::array slaves{ethercat::slave{{.vendor = 1, .product = 2}, objects}};
     ethercat::loopback_link link{slaves};
-    ethercat::master master;
+    ethercat::master_for<16> master;
     if (!jauscat::net::run(link, master, ethercat::bring_up{0, station})) return {};
     auto record = master.slaves().front();
     record.drained = true; // the first mailbox exchange would look whether it is empty

@@ -82,7 +82,7 @@ class bench {
     void bring_ups() {
         auto& r = new_row("bring-up to PRE-OP");
         measure(r, 200, [&] {
-            master_ = ethercat::master{};
+            master_.reset();
             work(ethercat::bring_up{0, station}, "bring-up");
         });
         r.frames = static_cast<double>(master_.statistics().sent);
@@ -139,7 +139,7 @@ class bench {
         });
         r.frames = 2;
         print(r);
-        master_ = ethercat::master{}; // the slave's mailbox counters have moved on
+        master_.reset(); // the slave's mailbox counters have moved on
         work(ethercat::bring_up{0, station}, "bring-up");
     }
 
@@ -152,7 +152,7 @@ class bench {
     void go_to_op() {
         work(ethercat::configure{station}, "configuration");
         work(ethercat::change_state{station, ethercat::al_state::safe_op}, "SAFE-OP");
-        data_ = ethercat::process_data{master_.slaves()};
+        data_.set_slaves(master_.slaves());
         runner start{link_, data_, master_};
         check(start.run_job(
                   ethercat::change_state{station, ethercat::al_state::op}, seconds{2}, [] {}, [](const auto&) {}),
@@ -203,8 +203,8 @@ class bench {
     std::deque<row> rows_{};
     std::unique_ptr<slave_end> slave_{};
     raw_link link_{"jc0"};
-    ethercat::master master_{};
-    ethercat::process_data data_{};
+    ethercat::master_for<16> master_{};
+    ethercat::process_data_for<1, 64> data_{};
 };
 
 } // namespace

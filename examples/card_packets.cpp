@@ -35,7 +35,7 @@ template <ethercat::link Link> class channel {
 
   private:
     Link& link_;
-    ethercat::master master_{};
+    ethercat::master_for<16> master_{};
     std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation_{};
     std::span<const std::byte> packet_{};
 };

@@ -78,7 +78,7 @@ class gripper_slave {
 std::span<const std::byte> execute(std::span<const std::byte> request, std::span<std::byte> confirmation,
                                    ethercat::slave& device) {
     ethercat::loopback_link link{std::span{&device, 1}};
-    ethercat::master master;
+    ethercat::master_for<16> master;
     if (!net::run(link, master, ethercat::bring_up{.position = 0, .station = gripper_slave::station})) return {};
     return ethercat::execute_packet(master, request, confirmation, [&] { return net::run(link, master); });
 }

@@ -88,7 +88,7 @@ bytes repeated_session(std::uint8_t options) {
     std::array devices{ethercat::slave{fuzz::description(options), ethercat::object_dictionary{objects}}};
     test::simulated_link link{devices};
     link.record = true;
-    ethercat::master master;
+    ethercat::master_for<16> master;
     const auto done = [&](const auto& job) {
         if (!link.run(master, job)) throw std::runtime_error{"the simulated session fails"};
     };

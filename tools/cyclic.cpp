@@ -227,15 +227,21 @@ void leave_op(jauscat::net::any_link& link, ethercat::master& master, const std:
     }
 }
 
+constexpr std::size_t max_slaves = 1000;
+
 int measure(jauscat::net::any_link& link, const auto& values) {
-    ethercat::master master{{.frame_timeout = milliseconds{values["frame-timeout"].template as<unsigned>()}}};
+    std::vector<ethercat::slave_record> records(max_slaves);
+    ethercat::master master{records, {.frame_timeout = milliseconds{values["frame-timeout"].template as<unsigned>()}}};
     const auto stations = set_up(link, master, values["station"].template as<std::uint16_t>(),
                                  milliseconds{values["watchdog"].template as<unsigned>()});
-    ethercat::process_data data{master.slaves(), {.watch_slaves = true}};
-    if (data.image().size == 0) throw std::runtime_error{"no slave has process data"};
-    if (!data.fits())
-        throw std::runtime_error{"process data and states of " + std::to_string(stations.size()) +
-                                 " slaves do not fit into one frame: connect fewer slaves"};
+    // [memory]
+    std::vector<ethercat::process_slot> slots(stations.size());
+    std::vector<std::byte> bytes(ethercat::process_image::of(master.slaves()).size);
+    ethercat::process_data data{slots, bytes};
+    data.set_slaves(master.slaves(), {.watch_slaves = true});
+    // [memory end]
+    if (bytes.empty()) throw std::runtime_error{"no slave has process data"};
+    if (!data.fits()) throw std::runtime_error{"process data and states of a slave do not fit into one frame"};
 
     const microseconds period{values["period"].template as<unsigned>()};
     jauscat::net::cycle_runner cycles{

@@ -48,7 +48,7 @@ template <ethercat::link Link> class controller {
     using exchange = bridging::packet_exchange<driver_table>;
 
     Link& link_;
-    ethercat::master master_{};
+    ethercat::master_for<16> master_{};
     exchange exchange_{{.subsystem = 2, .station = station}};
     std::array<std::byte, exchange::buffer_size> buffer_{};
     std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation_{};

@@ -26,7 +26,7 @@ int main() {
 
     // [master]
     ethercat::loopback_link link{std::span{&device, 1}}; // or net::raw_link{"eth0"}
-    ethercat::master master;
+    ethercat::master_for<16> master;
     const auto slave = jauscat::net::run(link, master, ethercat::bring_up{.position = 0, .station = 2});
     if (!slave) return std::cerr << describe(slave.error()) << '\n', 1;
 

@@ -44,7 +44,7 @@ inline bytes frame_with(const bridging::object_access& object) {
     std::array slaves{ethercat::slave{{.vendor = 1, .product = 2}, objects}};
     ethercat::loopback_link loop{slaves};
     recording_link link{loop};
-    ethercat::master master;
+    ethercat::master_for<16> master;
     if (!net::run(link, master, ethercat::bring_up{0, object.station})) throw std::logic_error{"no slave"};
     link.sent.clear();
     if (!net::run(link, master, ethercat::download{object.station, object.index, object.subindex, object.data}))

@@ -34,7 +34,7 @@ int main() {
     ethercat::loopback_link link{std::span{&device, 1}};
 
     // The master: from INIT to SAFE-OP, one job after the other.
-    ethercat::master master;
+    ethercat::master_for<16> master;
     constexpr std::uint16_t station = 1;
     const auto fail = [](const ethercat::master_error& error) {
         std::cout << describe(error) << '\n';
@@ -50,7 +50,7 @@ int main() {
     if (!safe_op) return fail(safe_op.error());
 
     // A slave goes to OP while outputs flow.
-    ethercat::process_data data{master.slaves()};
+    ethercat::process_data_for<1, 2> data{master.slaves()};
     net::cycle_runner cycles{link, data, master, {.period = 1ms}};
     const auto outputs = data.outputs(*master.find(station));
     const auto inputs = data.inputs(*master.find(station));

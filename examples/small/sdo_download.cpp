@@ -33,7 +33,7 @@ int fail(const char* job, const ethercat::master_error& error) {
 }
 
 template <ethercat::link Link> int write_and_read(Link& link, const object& what) {
-    ethercat::master master;
+    ethercat::master_for<16> master;
     // Each job is run to its end: frames are sent and received until its result is there.
     const auto slaves = net::run(link, master, ethercat::scan{});
     if (!slaves) return fail("scan", slaves.error());

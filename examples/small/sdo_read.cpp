@@ -44,7 +44,7 @@ std::optional<std::size_t> described_size(Link& link, ethercat::master& master, 
 }
 
 template <ethercat::link Link> int read(Link& link, std::uint16_t index, std::uint8_t subindex) {
-    ethercat::master master;
+    ethercat::master_for<16> master;
     constexpr std::uint16_t station = 1;
     // Each job is run to its end: frames are sent and received until its result is there.
     if (const auto slaves = net::run(link, master, ethercat::scan{}); !slaves) return fail("scan", slaves.error());

@@ -15,7 +15,7 @@ inline constexpr jauscat::ethercat::master_config short_times{.frame_timeout = s
 
 class timed_master {
   public:
-    jauscat::ethercat::master master{short_times};
+    jauscat::ethercat::master_for<16> master{short_times};
     jauscat::time_point now{};
 
     /// Calls `travel(frame)` for each frame that the master sends until its job is done.

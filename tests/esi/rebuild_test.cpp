@@ -108,7 +108,7 @@ class machine {
     standard_objects objects_;
     std::array<slave, 1> slave_;
     loopback_link link_{slave_};
-    ethercat::master master_{};
+    ethercat::master_for<16> master_{};
 };
 
 /// Sends the same requests to both machines; true if the answers are equal.

@@ -93,7 +93,7 @@ template <class Table> class robot {
     std::array<ethercat::slave, 3> devices_{make(applications[0], 1486), make(applications[1], 128),
                                             make(applications[2], 32)};
     ethercat::loopback_link link_{devices_};
-    ethercat::master master_{};
+    ethercat::master_for<16> master_{};
 };
 
 /// A message to one of the stations, with any header that can be delivered.

@@ -35,7 +35,7 @@ struct bench {
         device.pass(frame);
         if (works) device.work();
     }};
-    class master master;
+    master_for<16> master;
     bytes data = from_hex("0102030405060708090a0b0c0d0e0f101112131415161718191a1b1c");
 
     explicit bench(const slave_description& description = {}, const master_config& config = {})
@@ -93,7 +93,7 @@ void put_before_answers(bench& b, std::string_view hex) {
 } // namespace
 
 TEST_CASE("an empty ring has no slave, and a cut ring no replies") {
-    master m;
+    master_for<16> m;
     simulated_link ring{std::span<slave>{}};
     REQUIRE(m.start(bring_up{0, 1}));
     CHECK(ring.run(m).error() == master_error{.code = master_errc::no_slave});

@@ -149,7 +149,7 @@ template <class Table> struct strict_robot {
     bridging::listed_objects objects{arm_objects<Table>, behind, bridging::size_rule::exact};
     std::array<ethercat::slave, 1> devices{ethercat::slave{{.vendor = 1}, objects}};
     test::simulated_link link{devices};
-    ethercat::master master{};
+    ethercat::master_for<16> master{};
 
     using delivery = bridging::delivery<Table>;
 

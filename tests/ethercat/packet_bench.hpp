@@ -40,7 +40,7 @@ template <class Objects> class basic_packet_bench {
     simulated_link link{[this](std::span<std::byte> frame) {
         for (auto& each : devices) each.slave.process(frame);
     }};
-    ethercat::master master{};
+    ethercat::master_for<16> master{};
     ethercat::packet_options options{};
 
     /// Puts another slave at the end of the ring.

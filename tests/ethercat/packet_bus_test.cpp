@@ -112,7 +112,7 @@ TEST_CASE("states that cannot be set are confirmed with an error") {
     CHECK(b.set(static_cast<bus_state>(0x10)) == 0xC0650076);
     b.options.slaves = {};
     CHECK(b.set(bus_state::pre_op) == 0xC065000D); // no slave is known
-    const std::array<bus_slave, 17> too_many{};
+    const std::array<bus_slave, 257> too_many{};
     b.options.slaves = too_many;
     CHECK(b.set(bus_state::pre_op) == 0xC0650010);
 
@@ -287,7 +287,7 @@ TEST_CASE("a service that could not be started for another reason is confirmed w
     bytes request(40), confirmation(packet_job::confirmation_size);
     REQUIRE(jauscat::wire::encode(get_state_request{}, request));
     packet_job job{request, confirmation};
-    REQUIRE(job.finish(master{}, {.code = master_errc::no_reply}) == 40);
+    REQUIRE(job.finish(master_for<1>{}, {.code = master_errc::no_reply}) == 40);
     packet_header head{};
     REQUIRE(jauscat::wire::decode_prefix(head, confirmation));
     CHECK(static_cast<std::uint32_t>(head.ul_sta) == 0xC0650014);

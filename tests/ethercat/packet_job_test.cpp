@@ -28,7 +28,7 @@ struct bench {
     std::array<slave, 1> devices{
         slave{{.vendor = 1, .product = 2, .mailbox_out_size = 1024, .mailbox_in_size = 1024}, objects}};
     loopback_link link{devices};
-    master m{};
+    master_for<16> m{};
 
     bench() {
         objects.add(0x2000, 1, 4);

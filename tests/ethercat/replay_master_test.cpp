@@ -126,7 +126,7 @@ class recorded_slave {
 struct bench {
     recorded_slave device;
     simulated_link link{[this](std::span<std::byte> frame) { device.process(frame); }};
-    class master master{};
+    master_for<16> master{};
 
     explicit bench(const char* capture, std::uint16_t station) : device{capture}, station_{station} {
         REQUIRE(link.run(master, bring_up{0, station}));

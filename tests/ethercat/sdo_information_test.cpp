@@ -128,7 +128,7 @@ struct bench {
     bytes memory = bytes(200);
     std::array<slave, 1> devices;
     jauscat::test::simulated_link link{devices};
-    class master master{
+    master_for<16> master{
         {.frame_timeout = std::chrono::milliseconds{1}, .frame_lifetime = std::chrono::milliseconds{3}}};
 
     explicit bench(std::uint16_t mailbox)

@@ -29,7 +29,7 @@ struct segmented_bench {
         device.pass(frame);
         if (works) device.work();
     }};
-    ethercat::master master{};
+    ethercat::master_for<16> master{};
     std::vector<std::string> mail{}; ///< messages that were taken, from the mailbox header on
     bool keeps_mail{true};
     std::function<void(const datagram&)> before_read{}; ///< may change a message that the master is about to get

@@ -35,7 +35,7 @@ struct bench {
         ethercat::slave{ethercat::slave_description{}, objects, {.transfer_memory = memory}}};
     net::raw_link link{"jc0"};
     // The slave is a thread, and the machine may be busy.
-    ethercat::master master{{.retries = 24, .mailbox_timeout = 5s}};
+    ethercat::master_for<16> master{{.retries = 24, .mailbox_timeout = 5s}};
     std::vector<std::byte> data = numbered(1000);
 
     bench() { objects.add(0x2000, 1, 1000); }
@@ -98,7 +98,7 @@ TEST_CASE("the cable is unplugged during a transfer and plugged in again", "[vet
 TEST_CASE("a short interruption of the cable costs only time", "[veth]") {
     bench b;
     // It is out for as long as the machine needs for two commands.
-    b.master = ethercat::master{{.retries = 1000, .mailbox_timeout = 20s}};
+    b.master.reset({.retries = 1000, .mailbox_timeout = 20s});
     std::atomic<unsigned> until_down = ~0u;
     test::slave_thread slave{"jc1", b.slaves, [&](auto&) {
                                  if (--until_down == 0) ip("link set jc1 down && sleep 0.05 && ip link set jc1 up");
@@ -116,7 +116,7 @@ TEST_CASE("a slave's replies may have a VLAN tag and another source address", "[
     bench b;
     using support::bytes;
     for (const auto& tag : {bytes(0x81, 0x00, 0x00, 0x00), bytes(0x81, 0x00, 0xA0, 0x05)}) {
-        b.master = ethercat::master{{.frame_timeout = 2s}}; // nothing is asked twice
+        b.master.reset({.frame_timeout = 2s}); // nothing is asked twice
         test::slave_thread slave{"jc1", b.slaves, [&](auto& frame) {
                                      frame[6] |= std::byte{0x02}; // as a slave controller does
                                      frame.insert(frame.begin() + 12, tag.begin(), tag.end());

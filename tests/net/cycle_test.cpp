@@ -70,8 +70,8 @@ struct robot {
     ethercat::standard_objects dictionary{description, objects};
     std::array<ethercat::slave, 1> slaves{ethercat::slave{description, dictionary}};
     lossy_link link{slaves};
-    ethercat::master master;
-    ethercat::process_data data{};
+    ethercat::master_for<16> master;
+    ethercat::process_data_for<1, 64> data{};
     net::cycle_runner<lossy_link> cycles;
 
     explicit robot(const net::cycle_config& config = {.period = 10ms}, std::chrono::nanoseconds frame_timeout = 1s)
@@ -80,7 +80,7 @@ struct robot {
         done(ethercat::bring_up{0, station});
         done(ethercat::configure{station});
         done(ethercat::change_state{station, ethercat::al_state::safe_op});
-        data = ethercat::process_data{master.slaves()};
+        data.set_slaves(master.slaves());
         done(ethercat::change_state{station, ethercat::al_state::op});
         link.process_frames = link.other_frames = 0;
     }

@@ -41,7 +41,8 @@ struct robot {
         slave.process(frame);
         work();
     }};
-    ethercat::master master{};
+    ethercat::master_for<16> master{};
+    ethercat::process_data_for<1, 64> data{};
 
     explicit robot(std::chrono::milliseconds command_timeout = 500ms, std::uint16_t address = station,
                    std::optional<std::uint8_t> node = {})
@@ -76,12 +77,13 @@ struct robot {
         CHECK(arm.moves());
     }
     /// To OP; `cycle` exchanges process data from then on.
-    ethercat::process_data to_op() {
+    void to_op() {
         REQUIRE(run(ethercat::configure{station}));
         REQUIRE(run(ethercat::change_state{station, ethercat::al_state::op}));
-        return ethercat::process_data{master.slaves(), {.watch_slaves = true}};
+        data.set_slaves(master.slaves(), {.watch_slaves = true});
     }
-    void cycle(ethercat::process_data& data) {
+    void cycle() {
+        data.begin_cycle();
         std::array<std::byte, ethercat::max_frame_size> frame{};
         const auto bytes = std::span{frame}.first(data.next_frame(frame, link.now));
         slave.process(bytes);
@@ -174,10 +176,11 @@ TEST_CASE("the arm's dictionary has the objects that its PDOs map, and those tha
     }
     CHECK(r.object(0x7000, 15).empty());
 
-    auto data = r.to_op();
+    r.to_op();
+    auto& data = r.data;
     const auto outputs = data.outputs(r.master.slaves()[0]);
     std::ranges::copy(test::from_hex("0100 0100 ff3f"), outputs.begin());
-    for (int i = 0; i != 4; ++i) r.cycle(data);
+    for (int i = 0; i != 4; ++i) r.cycle();
     CHECK(r.object(0x7000, 3) == "ff 3f");
     CHECK(r.object(0x6000, 1) == "01 00");
     CHECK(r.object(0x6000, 3) == "ff 3f");
@@ -208,11 +211,12 @@ TEST_CASE("a process-data command in an emergency is not executed, then or later
         bridging::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
     robot r;
     REQUIRE(r.send(emergency()));
-    auto data = r.to_op();
+    r.to_op();
+    auto& data = r.data;
     const auto& record = *r.master.find(station);
     exchange jaus_side{{.subsystem = 2, .station = station}, 33};
-    r.cycle(data);
-    r.cycle(data);
+    r.cycle();
+    r.cycle();
     REQUIRE(jaus_side.start(data.outputs(record), data.inputs(record)));
     const auto command = [&](double effort) {
         std::array<std::byte, 32> body{};
@@ -221,14 +225,14 @@ TEST_CASE("a process-data command in an emergency is not executed, then or later
         const jaus::header head{.command_code = exchange::command_code};
         REQUIRE(jaus_side.on_command(head, *encoded, data.outputs(record), data.inputs(record), {}) ==
                 translate::errc::ok);
-        for (int i = 0; i != 3; ++i) r.cycle(data);
+        for (int i = 0; i != 3; ++i) r.cycle();
         return exchange::given(data.outputs(record)) == exchange::taken(data.inputs(record));
     };
     CHECK_FALSE(command(50));
     CHECK_FALSE(r.arm.moves());
     CHECK(r.says("in an emergency: refused"));
     REQUIRE(r.send(end_of_emergency()));
-    for (int i = 0; i != 3; ++i) r.cycle(data);
+    for (int i = 0; i != 3; ++i) r.cycle();
     CHECK_FALSE(r.arm.moves()); // the old command still stands in the outputs
     CHECK(command(60));
     CHECK(r.arm.moves());
@@ -254,8 +258,8 @@ TEST_CASE("the arm stops when its slave leaves the states in which it can be com
     CHECK(r.says("another station address: all efforts to zero"));
 
     REQUIRE(r.run(ethercat::bring_up{0, station}));
-    auto data = r.to_op();
-    r.cycle(data);
+    r.to_op();
+    r.cycle();
     r.drive(); // by mailbox, though in OP
     r.wait(120ms);
     CHECK(r.slave.state() == ethercat::al_state::safe_op);

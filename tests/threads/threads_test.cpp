@@ -78,7 +78,8 @@ TEST_CASE("a slave on one thread serves a master on another") {
     }};
 
     // Patient: a sanitizer makes all of it slow.
-    ethercat::master master{{.frame_timeout = 1s, .sii_timeout = 10s, .state_timeout = 10s, .mailbox_timeout = 10s}};
+    ethercat::master_for<16> master{
+        {.frame_timeout = 1s, .sii_timeout = 10s, .state_timeout = 10s, .mailbox_timeout = 10s}};
     REQUIRE(net::run(master_link, master, ethercat::bring_up{0, 2}, 60s));
     for (unsigned i = 0; i != 20; ++i) {
         std::array<std::byte, 28> data{}, back{};

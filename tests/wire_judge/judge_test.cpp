@@ -54,7 +54,7 @@ struct master_and_slaves {
     test::capture capture{"jc0"};
     net::raw_link link{"jc0"};
     test::slave_thread slaves_thread;
-    ethercat::master master{{.frame_timeout = 2s}}; // on a busy machine, too, nothing is asked twice
+    ethercat::master_for<16> master{{.frame_timeout = 2s}}; // on a busy machine, too, nothing is asked twice
 
     template <ethercat::master_job Job> auto run(const Job& job) {
         const auto result = net::run(link, master, job);
@@ -327,7 +327,7 @@ TEST_CASE("tshark reads the state changes of two slaves to OP, and their cycles"
         w.run(ethercat::change_state{address, ethercat::al_state::safe_op});
     }
 
-    ethercat::process_data cyclic{w.master.slaves()};
+    ethercat::process_data_for<4, 256> cyclic{w.master.slaves()};
     std::array<std::byte, ethercat::max_frame_size> frame{};
     const auto now = [] { return jauscat::net::now(); };
     // Gives what arrives to the one that waits for it.
@@ -338,6 +338,7 @@ TEST_CASE("tshark reads the state changes of two slaves to OP, and their cycles"
         REQUIRE(on_frame(std::span{frame}.first(size)));
     };
     const auto cycle = [&] {
+        cyclic.begin_cycle();
         exchange(cyclic.next_frame(frame, now()), [&](auto reply) { return cyclic.on_frame(reply); });
         CHECK(cyclic.working_counter() == 6);
         exchange(w.master.next_frame(frame, now()), [&](auto reply) { return w.master.on_frame(reply, now()); });

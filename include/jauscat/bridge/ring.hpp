@@ -17,6 +17,10 @@
 
 namespace jauscat::bridging {
 
+/// Slaves of a ring, and bytes of their process data.
+inline constexpr std::size_t slave_capacity = 16;
+inline constexpr std::size_t image_capacity = 4096;
+
 /// Jobs of others than a ring for its master. One that keeps a stop order waiting is cancelled: its error is then
 /// `timeout`.
 struct shared_jobs {
@@ -108,9 +112,10 @@ class ring {
         if (cycles() && now >= next_cycle_) {
             // Missed cycles are skipped.
             next_cycle_ = std::max(next_cycle_ + interval(), now + interval() / 2);
-            is_step_due_ = is_step_due_ || data_.waits(); // the last frame is lost
-            if (const auto size = data_.next_frame(frame, now)) return size;
+            is_step_due_ = is_step_due_ || data_.waits(); // a frame of the last cycle is lost
+            data_.begin_cycle();
         }
+        if (const auto size = data_.next_frame(frame, now)) return size;
         if (cycles() && next_cycle_ - now <= reserve()) return 0; // the process data must not wait behind it
         return master_.next_frame(frame, now);
     }
@@ -187,8 +192,7 @@ class ring {
         time_point settling_until{};
         bool takes_keep_alive{true};
         bool has_reply{};
-        bool is_exchanged{}; // it is in data_, and these are its data
-        std::span<std::byte> outputs{};
+        std::span<std::byte> outputs{}; // in data_, if it is exchanged
         bytes inputs{};
         const ethercat::slave_status* status{};
     };
@@ -205,16 +209,16 @@ class ring {
     [[nodiscard]] duration reserve() const noexcept { return has_process_data_ ? options_.period / 4 : duration{}; }
 
     // A slave that was not reached when all were cleared may still run with the place in the process image that an
-    // earlier life of this program gave it: each life has an image elsewhere, in one of 2^21 windows.
+    // earlier life of this program gave it: each life has an image elsewhere, in one of 2^16 windows.
     void begin(time_point now) {
-        constexpr unsigned window_bits = 11; // holds every image
-        static_assert(ethercat::max_process_image <= 1U << window_bits);
+        constexpr unsigned window_bits = 16; // holds every image
+        static_assert(image_capacity <= 1U << window_bits);
         const auto start = static_cast<std::uint64_t>(now.time_since_epoch() / std::chrono::microseconds{1});
         const auto window = start * 0x9E37'79B9'7F4A'7C15U >> (32 + window_bits); // spreads starts that are close
         logical_base_ = static_cast<std::uint32_t>(window << window_bits);
         auto config = options_.master;
         config.logical_base = logical_base_;
-        master_ = ethercat::master{config};
+        master_.reset(config);
         has_begun_ = true;
     }
 
@@ -555,26 +559,18 @@ class ring {
     }
     // Rebuilds the process image from the present slaves; keeps their outputs.
     void rebuild_process_data(time_point now) {
-        std::array<ethercat::slave_record, ethercat::slave_capacity> records{};
+        std::array<ethercat::slave_record, slave_capacity> records{};
         std::size_t count = 0;
         for (place& each : places()) {
             const auto* const record = master_.find(each.front->station());
             if (is_exchanged(each) && record != nullptr) records[count++] = *record;
         }
-        ethercat::process_data next{std::span{std::as_const(records)}.first(count),
-                                    {.watch_slaves = true, .logical_base = logical_base_}};
-        for (place& each : places()) {
-            const bool stays = std::exchange(each.is_exchanged, is_exchanged(each)) && each.is_exchanged;
-            const auto* const record = master_.find(each.front->station());
-            if (stays && record != nullptr) std::ranges::copy(each.outputs, next.outputs(*record).begin());
-        }
-        has_process_data_ = next.image().size != 0;
+        data_.set_slaves(std::span{records}.first(count), {.watch_slaves = true, .logical_base = logical_base_});
+        has_process_data_ = data_.image().size != 0;
         if (exchanged_ == 0 || next_cycle_ > saturating_add(now, interval())) next_cycle_ = now;
-        next.follow(data_);
-        data_ = next;
         exchanged_ = count;
         for (place& each : places()) {
-            const auto* const record = each.is_exchanged ? master_.find(each.front->station()) : nullptr;
+            const auto* const record = is_exchanged(each) ? master_.find(each.front->station()) : nullptr;
             each.outputs = record == nullptr ? std::span<std::byte>{} : data_.outputs(*record);
             each.inputs = record == nullptr ? bytes{} : data_.inputs(*record);
             each.status = record == nullptr ? nullptr : &data_.status(*record);
@@ -745,9 +741,9 @@ class ring {
     }
 
     const bridge_options& options_;
-    ethercat::master master_;
-    ethercat::process_data data_{};
-    std::array<place, ethercat::slave_capacity> places_{};
+    ethercat::master_for<slave_capacity> master_{};
+    ethercat::process_data_for<slave_capacity, image_capacity> data_{};
+    std::array<place, slave_capacity> places_{};
     std::size_t place_count_{};
     std::size_t last_served_{};
     std::size_t exchanged_{}; // slaves in the cyclic exchange

@@ -196,7 +196,7 @@ class start_job final : public bus_job {
         const std::size_t counted = is_serving_ ? master.result<ethercat::exchange_datagram>().value_or(0)
                                                 : master.result<ethercat::scan>().value_or(0);
         if (counted == 0) return fail(bus_errc::no_slaves);
-        if (counted > ethercat::slave_capacity) return fail(bus_errc::too_many_slaves);
+        if (counted > bridging::slave_capacity) return fail(bus_errc::too_many_slaves);
         count_ = counted;
     }
     [[nodiscard]] bool is_over() const override { return done_->is_done(); }

@@ -15,9 +15,9 @@ namespace jauscat::ethercat {
     return configured != io.options.slaves.end() ? configured->station : static_cast<std::uint16_t>(position + 1);
 }
 
-/// Takes all slaves to INIT, counts them, and brings each one up to PRE-OP, the first 16 of them: SDO packets then
-/// reach them. Those that refuse are counted too; get_bus_scan_info reports their errors. The caller, which drives the
-/// master's jobs, implements ulTimeout.
+/// Takes all slaves to INIT, counts them, and brings each one up to PRE-OP, as many as the master has memory for: SDO
+/// packets then reach them. Those that refuse are counted too; get_bus_scan_info reports their errors. The caller,
+/// which drives the master's jobs, implements ulTimeout.
 class packet_start_scan
     : public packet_service<hilscher::start_bus_scan_request, hilscher::start_bus_scan_confirmation> {
   public:
@@ -35,7 +35,7 @@ class packet_start_scan
         } else if (is_of_link(m.error().code)) {
             return service_step::done(hilscher::status_of(m.error()));
         }
-        if (position_ == std::min(found_, slave_capacity)) return service_step::done();
+        if (position_ == std::min(found_, m.capacity())) return service_step::done();
         const auto position = static_cast<std::uint16_t>(position_++);
         return service_step::started(m.start(bring_up{position, scan_station(io, position)}));
     }

@@ -46,14 +46,14 @@ class packet_set_state : public packet_service<hilscher::set_state_request, hils
         goal_ = static_cast<al_state>(asked.us_new_ec_state);
         if (!m.idle()) return service_step::done(packet_status::state_change_busy);
         if (io.options.slaves.size() > bus_.size()) return service_step::done(packet_status::coe_no_resource);
-        for (const auto& slave : io.options.slaves) bus_[count_++].slave = slave;
+        for (const auto& slave : io.options.slaves) bus_[count_++] = {slave.position, slave.station};
         if (count_ == 0)
-            for (const auto& known : m.slaves()) bus_[count_++].slave = {known.position, known.station, {}};
+            for (const auto& known : m.slaves()) bus_[count_++] = {known.position, known.station};
         if (count_ == 0) return service_step::done(packet_status::wrong_internal_state);
-        return advance(m);
+        return advance(m, io);
     }
 
-    service_step next(master& m, const packet_io&) noexcept {
+    service_step next(master& m, const packet_io& io) noexcept {
         if (m.error() != master_error{}) return service_step::done(status_of(m.error()));
         auto& member = bus_[place_];
         switch (stage_) {
@@ -61,16 +61,20 @@ class packet_set_state : public packet_service<hilscher::set_state_request, hils
             place_ = count_;
             break;
         case stage::look:
-            if (*m.result<exchange_datagram>() != 0) static_cast<void>(wire::decode(member.status, read_));
+            if (*m.result<exchange_datagram>() != 0) {
+                al_status status{};
+                static_cast<void>(wire::decode(status, read_));
+                member.enter(status.state, status.error);
+            }
             break;
-        case stage::bring_up: member.status = {.state = al_state::pre_op}; break;
-        case stage::lower: member.status = {.state = goal_}; break;
+        case stage::bring_up: member.enter(al_state::pre_op); break;
+        case stage::lower: member.enter(goal_); break;
         case stage::configure: break;
-        case stage::safe_op: member.status = {.state = al_state::safe_op}; break;
+        case stage::safe_op: member.enter(al_state::safe_op); break;
         case stage::op: break;
         }
         ++place_;
-        return advance(m);
+        return advance(m, io);
     }
 
     static service_answer answer(confirmation&, const master&, const packet_io&) noexcept { return {}; }
@@ -78,8 +82,15 @@ class packet_set_state : public packet_service<hilscher::set_state_request, hils
   private:
     enum class stage : std::uint8_t { clear, look, bring_up, lower, configure, safe_op, op };
     struct participant {
-        bus_slave slave{};
-        al_status status{}; ///< state 0: the slave is lost, or was never brought up
+        std::uint16_t position{};
+        std::uint16_t station{};
+        al_state state{}; ///< 0: the slave is lost, or was never brought up
+        bool error{};
+
+        void enter(al_state next, bool with_error = false) noexcept {
+            state = next;
+            error = with_error;
+        }
     };
 
     // A slave's reasons for refusing a state have statuses of their own, but their numbering is not documented.
@@ -90,19 +101,19 @@ class packet_set_state : public packet_service<hilscher::set_state_request, hils
     }
 
     // Starts the next job that is due.
-    service_step advance(master& m) noexcept {
+    service_step advance(master& m, const packet_io& io) noexcept {
         for (; stage_ <= stage::op; stage_ = static_cast<stage>(static_cast<unsigned>(stage_) + 1), place_ = 0)
             for (; place_ < count_; ++place_)
-                if (is_due(m, bus_[place_])) return service_step::started(start(m, bus_[place_].slave));
+                if (is_due(m, io, bus_[place_])) return service_step::started(start(m, io, bus_[place_]));
         return service_step::done();
     }
 
-    [[nodiscard]] bool is_due(const master& m, const participant& member) const noexcept {
-        const auto state = member.status.state;
-        const bool error = member.status.error;
+    [[nodiscard]] bool is_due(const master& m, const packet_io& io, const participant& member) const noexcept {
+        const auto state = member.state;
+        const bool error = member.error;
         switch (stage_) {
-        case stage::clear: return goal_ == al_state::init && !is_known(m, member.slave);
-        case stage::look: return is_known(m, member.slave);
+        case stage::clear: return goal_ == al_state::init && !is_known(m, io, member);
+        case stage::look: return is_known(m, io, member);
         case stage::bring_up:
             return goal_ != al_state::init &&
                    (!ethercat::is_known(state) || state == al_state::init || state == al_state::boot);
@@ -113,17 +124,23 @@ class packet_set_state : public packet_service<hilscher::set_state_request, hils
         }
     }
 
-    [[nodiscard]] static bool is_known(const master& m, const bus_slave& slave) noexcept {
-        const auto* record = m.find(slave.station);
-        return record != nullptr && record->position == slave.position && slave.identity.accepts(record->identity);
+    // Configured slaves keep their order.
+    [[nodiscard]] identity_check identity_of(const packet_io& io, const participant& member) const noexcept {
+        const auto at = static_cast<std::size_t>(&member - bus_.data());
+        return at < io.options.slaves.size() ? io.options.slaves[at].identity : identity_check{};
+    }
+    [[nodiscard]] bool is_known(const master& m, const packet_io& io, const participant& member) const noexcept {
+        const auto* record = m.find(member.station);
+        return record != nullptr && record->position == member.position &&
+               identity_of(io, member).accepts(record->identity);
     }
 
-    master_result<> start(master& m, const bus_slave& slave) noexcept {
+    master_result<> start(master& m, const packet_io& io, const participant& slave) noexcept {
         switch (stage_) {
         case stage::clear: return m.start(scan{});
         case stage::look:
             return m.start(exchange_datagram{command::fprd, slave.station, esc_registers::al_status.address, read_});
-        case stage::bring_up: return m.start(bring_up{slave.position, slave.station, slave.identity});
+        case stage::bring_up: return m.start(bring_up{slave.position, slave.station, identity_of(io, slave)});
         case stage::lower: return m.start(change_state{slave.station, goal_});
         case stage::configure: return m.start(configure{slave.station});
         case stage::safe_op: return m.start(change_state{slave.station, al_state::safe_op});
@@ -132,7 +149,9 @@ class packet_set_state : public packet_service<hilscher::set_state_request, hils
     }
 
     al_state goal_{};
-    std::array<participant, slave_capacity> bus_{};
+    static constexpr std::size_t capacity = 256;
+
+    std::array<participant, capacity> bus_{};
     std::size_t count_{};
     stage stage_{};
     std::size_t place_{};

@@ -26,8 +26,7 @@ namespace jauscat::ethercat {
 
 /// What the master knows of the ring. The jobs change it.
 struct ring_knowledge {
-    slave_list slaves{};
-    slave_list away{}; ///< could not be brought up again: what they do with their place in the image is not known
+    slave_list slaves;
 };
 
 /// The state machine of a job. `begin` takes the job, or says why it has ended at once; `request` adds the datagrams of
@@ -103,7 +102,6 @@ template <> class job_machine<scan> : public detail::plain_machine<ring_scan> {
   public:
     [[nodiscard]] static master_error begin(const scan&, ring_knowledge& ring, const master_config&) noexcept {
         ring.slaves.clear();
-        ring.away.clear();
         return {};
     }
     [[nodiscard]] std::size_t value() const noexcept { return steps_.slaves(); }
@@ -114,13 +112,12 @@ template <> class job_machine<bring_up> : public detail::plain_machine<slave_bri
     [[nodiscard]] master_error begin(const bring_up& job, ring_knowledge& ring, const master_config&) noexcept {
         const auto* before = ring.slaves.find(job.station);
         const bool is_ours = before != nullptr && before->position != job.position; // another slave is to have it
-        if (before == nullptr) before = ring.away.find(job.station);
+        if (before == nullptr) before = ring.slaves.find_away(job.station);
         before_ = before != nullptr ? *before : slave_record{};
         ring.slaves.remove(job.position, job.station);
-        ring.away.remove(job.position, job.station);
-        if (before_.station == job.station && !ring.away.full()) ring.away.add(before_);
+        if (before_.station == job.station) ring.slaves.add_away(before_);
         steps_ = slave_bring_up{job.position, job.station, job.identity, !is_ours};
-        if (ring.slaves.full()) return {.code = master_errc::too_many_slaves};
+        if (before_.station != job.station && ring.slaves.full()) return {.code = master_errc::too_many_slaves};
         return {};
     }
     [[nodiscard]] master_error complete(ring_knowledge& ring) noexcept {
@@ -129,7 +126,7 @@ template <> class job_machine<bring_up> : public detail::plain_machine<slave_bri
         slave_.process_data = before_.process_data; // it keeps its place in the image
         slave_.unfinished = before_.unfinished;     // a change of state does not end it in every slave
         slave_.last_counter = before_.last_counter; // some slaves keep it, and drop a message with the same one
-        ring.away.remove(slave_.position, slave_.station);
+        ring.slaves.remove(slave_.position, slave_.station);
         ring.slaves.add(slave_);
         return {};
     }
@@ -146,9 +143,7 @@ template <> class job_machine<configure> {
     [[nodiscard]] master_error begin(const configure& job, ring_knowledge& ring, const master_config& config) noexcept {
         if (const auto wrong = detail::choose(ring.slaves, job.station, slave_); wrong != master_error{}) return wrong;
         slave_->watchdog = {};
-        auto image = ring.slaves.image_without(*slave_);
-        image.size = std::max(image.size, ring.away.image_without(*slave_).size);
-        setup_ = process_setup{*slave_, image, job.watchdog, config.logical_base};
+        setup_ = process_setup{*slave_, ring.slaves.image_end_without(*slave_), job.watchdog, config.logical_base};
         if (watchdog_units(job.watchdog) == 0) return {.code = master_errc::watchdog_range};
         return {};
     }

@@ -20,16 +20,28 @@
 namespace jauscat::ethercat {
 
 /// Start a job of jobs.hpp; then, until `idle()`: send what `next_frame` gives, pass what arrives to `on_frame`, and
-/// call `on_time` at `next_event()`. `result<Job>()` is then what the job gives, or why it gives nothing. Not copied
-/// while one runs.
+/// call `on_time` at `next_event()`. `result<Job>()` is then what the job gives, or why it gives nothing. `master_for`
+/// brings its memory along.
 ///
 ///     if (const auto started = master.start(scan{}); !started) return started.error();
 ///     ... // until master.idle()
 ///     const auto slaves = master.result<scan>();
 class master {
   public:
-    /// Idle, and without slaves.
-    explicit master(const master_config& config = {}) noexcept : frames_{config} {}
+    /// Idle, and without slaves. `memory`, for a record of each slave, outlives the master: see slave_memory.
+    explicit master(std::span<slave_record> memory, const master_config& config = {}) noexcept
+        : frames_{config}, ring_{slave_list{memory}} {}
+    master(const master&) = delete;
+    master& operator=(const master&) = delete;
+
+    /// As newly constructed: the job that runs is forgotten, and so are all slaves.
+    void reset(const master_config& config = {}) noexcept {
+        frames_ = frame_traffic{config};
+        ring_.slaves.clear();
+        machine_ = {};
+        runs_ = false;
+        error_ = {};
+    }
 
     /// Other times and retries. The logical base stays the same while slaves have process data.
     void set_config(const master_config& config) noexcept { frames_.set_config(config); }
@@ -76,6 +88,8 @@ class master {
     /// Whether no job runs, so that one may be started.
     [[nodiscard]] bool idle() const noexcept { return !runs_; }
     [[nodiscard]] std::span<const slave_record> slaves() const noexcept { return ring_.slaves.all(); }
+    /// Slaves that it has memory for.
+    [[nodiscard]] std::size_t capacity() const noexcept { return ring_.slaves.capacity(); }
     /// The record of a slave; none if it has not been brought up.
     [[nodiscard]] const slave_record* find(std::uint16_t station) const noexcept { return ring_.slaves.find(station); }
     /// Forgets a slave's emergencies.
@@ -147,10 +161,17 @@ class master {
     }
 
     frame_traffic frames_;
-    ring_knowledge ring_{};
+    ring_knowledge ring_;
     any_job_machine machine_{};
     bool runs_{};
     master_error error_{};
+};
+
+/// A master with memory for up to `Slaves` slaves: `master_for<16> master{config}`.
+template <std::size_t Slaves> class master_for : private slave_memory<Slaves>, public master {
+  public:
+    explicit master_for(const master_config& config = {}) noexcept
+        : master{std::span<slave_record>{slave_memory<Slaves>::records}, config} {}
 };
 
 } // namespace jauscat::ethercat

@@ -29,10 +29,10 @@ enum class master_errc : std::uint8_t {
     no_coe,            ///< the slave's mailbox carries no CoE
     al_error,          ///< the slave refused a state; al_status
     state_timeout,     ///< the slave did not reach a state; state
-    too_many_slaves,   ///< more slaves than the master supports
+    too_many_slaves,   ///< more slaves than the master has memory for
     no_fmmu,           ///< the slave has fewer FMMUs than it has process data; fmmus
     too_many_managers, ///< more than four SyncManagers carry process data
-    image_full,        ///< the process image has no room for the slave's data; bytes
+    image_full,        ///< the slave's process data are larger than one frame carries; bytes
     watchdog_range,    ///< a watchdog time that the registers cannot express
     watchdog_not_kept, ///< the slave does not keep its watchdog's settings; watchdog_divider, watchdog_units
     not_configured,    ///< the slave's process data and watchdog are not set: OP is not requested
@@ -69,10 +69,10 @@ enum class master_errc : std::uint8_t {
     case master_errc::no_coe: return "the slave's mailbox does not carry CoE: this slave cannot take SDOs";
     case master_errc::al_error: return "the slave refused the state: see its AL status code";
     case master_errc::state_timeout: return "the slave did not reach the state in time: allow more time or reset it";
-    case master_errc::too_many_slaves: return "the master supports 16 slaves: remove one or raise slave_capacity";
+    case master_errc::too_many_slaves: return "the master has no memory for another slave: give it more records";
     case master_errc::no_fmmu: return "the slave has too few FMMUs for its process data: it cannot be mapped";
     case master_errc::too_many_managers: return "the slave spreads its process data over more than four SyncManagers";
-    case master_errc::image_full: return "the process data do not fit one frame: map fewer PDOs";
+    case master_errc::image_full: return "the slave's process data do not fit one frame: map fewer PDOs";
     case master_errc::watchdog_range: return "the watchdog time is out of range: give 0.1 ms to 6553.5 ms";
     case master_errc::watchdog_not_kept: return "the slave does not keep its watchdog's settings: it must not go to OP";
     case master_errc::not_configured: return "the slave's watchdog is not set: configure the slave before OP";

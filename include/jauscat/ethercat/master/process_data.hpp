@@ -1,68 +1,103 @@
-// Cyclic exchange of process data: one frame per cycle carries all outputs and inputs and, optionally, reads each
+// Cyclic exchange of process data: the frames of a cycle carry all outputs and inputs and, optionally, read each
 // slave's state.
 #pragma once
 
 #include <jauscat/ethercat/frame_builder.hpp>
+#include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
-#include <jauscat/ethercat/master/outstanding_frame.hpp>
 #include <jauscat/ethercat/master/process_image.hpp>
+#include <jauscat/ethercat/master/process_plan.hpp>
 #include <jauscat/ethercat/master/slave_status.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 namespace jauscat::ethercat {
 
-/// Frame statistics of the cycles.
+/// Statistics of the cycles. A cycle has as many frames as the process data need.
 struct process_statistics {
-    std::uint64_t sent{};
-    std::uint64_t complete{};   ///< every slave took part
-    std::uint64_t incomplete{}; ///< returned with a smaller or larger working counter: the inputs are the previous ones
-    std::uint64_t lost{};       ///< did not come back before the next cycle
+    std::uint64_t sent{};        ///< cycles
+    std::uint64_t complete{};    ///< every slave took part
+    std::uint64_t incomplete{};  ///< all frames returned, one at least with another working counter
+    std::uint64_t lost{};        ///< a frame at least did not come back before the next cycle
+    std::uint64_t frames{};      ///< frames sent
+    std::uint64_t lost_frames{}; ///< frames that did not come back before the next cycle
 };
 
-/// Optional content of a cycle's frame.
+/// Optional content of the frames.
 struct process_options {
-    /// Each frame asks every slave for its AL status and whether mail waits: see `status`. The process data of each
+    /// Each cycle asks every slave for its AL status and whether mail waits: see `status`. The process data of each
     /// slave then have a datagram of their own, so that one slave's failure does not make another's inputs old. That
-    /// takes 45 bytes of the frame for each slave.
+    /// takes 45 bytes for each slave.
     bool watch_slaves{};
     /// That of the master which has configured the slaves.
     std::uint32_t logical_base{};
 };
 
-/// Sends the process image when a cycle is due; a frame that has not returned by then is lost, and the next one is sent
-/// nevertheless, because the newest outputs count. Runs beside a master on the same link: pass each received frame to
-/// `on_frame` first, and to the master if it was not accepted.
+/// Memory for the process data of up to `Slaves` slaves, `Bytes` of outputs and inputs together.
+template <std::size_t Slaves, std::size_t Bytes> struct process_memory_for {
+    std::array<process_slot, Slaves> slots{};
+    std::array<std::byte, Bytes> bytes{};
+};
+
+/// Sends the process image when a cycle is due; a frame that has not returned by then is lost, and the next cycle is
+/// sent nevertheless, because the newest outputs count. A lost frame makes only the inputs of its own slaves old. Runs
+/// beside a master on the same link: pass each received frame to `on_frame` first, and to the master if it was not
+/// accepted. `process_data_for` brings its memory along.
 class process_data {
   public:
-    process_data() noexcept = default;
-    /// The slaves' places, as `configure` has left them. All outputs are 0.
-    explicit process_data(std::span<const slave_record> slaves, const process_options& options = {}) noexcept
-        : image_{process_image::of(slaves)}, watches_{options.watch_slaves}, base_{options.logical_base} {
-        fits_ = slaves.size() <= members_.size() && image_.size <= bytes_.size();
-        if (!fits_) image_ = {};
-        if (!fits_) return;
-        if (!watches_) add_part(0, image_.size, image_);
-        for (const auto& slave : slaves) add_member(slave);
-        fits_ = datagrams_size() <= max_datagrams_size;
+    /// Without slaves. The memory, a slot for each slave and the bytes of all outputs and inputs, outlives it.
+    process_data(std::span<process_slot> slots, std::span<std::byte> bytes) noexcept : plan_{slots}, bytes_{bytes} {
+        std::ranges::fill(bytes_, std::byte{});
+    }
+    process_data(const process_data&) = delete;
+    process_data& operator=(const process_data&) = delete;
+
+    /// Exchanges the data of these slaves from the next cycle on, at their places, as `configure` has left them. Slaves
+    /// that stay, at the same place, keep outputs, inputs and status; all other outputs are 0. Counts go on. Returns
+    /// `fits()`.
+    bool set_slaves(std::span<const slave_record> slaves, const process_options& options = {}) noexcept {
+        forget_frames();
+        options_ = options;
+        image_ = process_image::of(slaves);
+        is_complete_ = false;
+        working_counter_ = 0;
+        fits_ = slaves.size() <= plan_.capacity() && image_.size <= bytes_.size();
+        if (!fits_) {
+            image_ = {};
+            slaves = {};
+        }
+        const auto is = [](const process_member& member, const slave_record& slave) {
+            return member.station == slave.station && member.place == slave.process_data;
+        };
+        plan_.remove_unless([&](const process_member& each) {
+            if (std::ranges::any_of(slaves, [&](const slave_record& slave) { return is(each, slave); })) return true;
+            clear(each.place);
+            return false;
+        });
+        const auto stay = plan_.member_count();
+        for (const auto& slave : slaves) {
+            std::size_t i = 0;
+            while (i != stay && !is(plan_.member(i), slave)) ++i;
+            if (i != stay) continue;
+            plan_.add(slave);
+            clear(slave.process_data);
+        }
+        if (fits_) fits_ = plan_.cut(options_.watch_slaves);
+        next_ = plan_.frame_count();
+        return fits_;
     }
 
-    /// Takes the place of `before`, for other slaves on the same link: counts go on, and a frame of `before` that is
-    /// still under way is known, and passed over.
-    void follow(const process_data& before) noexcept {
-        outstanding_ = before.outstanding_;
-        outstanding_.forget();
-        cycle_ = before.cycle_;
-        statistics_ = before.statistics_;
-    }
-
-    /// Whether one frame holds all data. If not, no frame is ever sent.
+    /// Whether the memory holds all data, and each slave's data fit into a frame. If not, no frame is ever sent.
     [[nodiscard]] bool fits() const noexcept { return fits_; }
+    /// Frames of each cycle.
+    [[nodiscard]] std::size_t frame_count() const noexcept { return plan_.frame_count(); }
 
     /// The addresses of each slave's data.
     [[nodiscard]] const process_image& image() const noexcept { return image_; }
@@ -70,43 +105,56 @@ class process_data {
     [[nodiscard]] std::span<std::byte> outputs(const slave_record& slave) noexcept {
         return piece(slave.process_data.output_address, slave.process_data.output_size);
     }
-    /// Inputs of a slave, as the last complete cycle brought them. Of a slave that is watched: as the last cycle did in
-    /// which its own data were exchanged and it was in SAFE-OP or OP; `status` says when that was.
+    /// Inputs of a slave, as the last cycle brought them in which all slaves of the same datagram took part. Of a slave
+    /// that is watched: as the last cycle did in which its own data were exchanged and it was in SAFE-OP or OP;
+    /// `status` says when that was.
     [[nodiscard]] std::span<const std::byte> inputs(const slave_record& slave) const noexcept {
-        const auto& place = slave.process_data;
-        return holds(place.input_address, place.input_size)
-                   ? std::span{bytes_}.subspan(place.input_address, place.input_size)
-                   : std::span<const std::byte>{};
+        return piece(slave.process_data.input_address, slave.process_data.input_size);
     }
     /// Status of a slave from the last cycles; `silent` if it is not watched.
     [[nodiscard]] const slave_status& status(const slave_record& slave) const noexcept {
         static constexpr slave_status unknown{};
-        const auto found = std::ranges::find(members(), slave.station, &member::station);
-        return found != members().end() ? found->status : unknown;
+        const auto* const found = plan_.find(slave.station, slave.process_data);
+        return found != nullptr ? found->status : unknown;
     }
 
-    /// A cycle is due: writes its frame to `out`, which holds 1514 bytes, and returns its size; 0 where there is
-    /// nothing to exchange, and where it does not fit.
-    [[nodiscard]] std::size_t next_frame(std::span<std::byte> out, time_point now) noexcept {
-        if (outstanding_.waits()) {
+    /// A cycle is due: frames of the last one that are not back are lost. Then send what `next_frame` gives, until it
+    /// gives nothing.
+    void begin_cycle() noexcept {
+        if (outstanding_ != 0) {
             ++statistics_.lost;
+            statistics_.lost_frames += outstanding_;
             is_complete_ = false;
         }
-        outstanding_.forget();
-        if (!fits_ || datagrams_size() == 0) return 0;
-        ++cycle_;
-        const auto low = static_cast<std::uint8_t>(cycle_), high = static_cast<std::uint8_t>(cycle_ >> 8);
-        frame_builder frame{out, low};
-        frame.tag_rest(static_cast<std::uint8_t>(low + high));
-        if (part_count_ == 0) frame.add(command::nop, 0, 0, filler_size);
-        for (const auto& each : parts()) request(frame, each);
-        for (const auto& each : members())
-            if (watches_) request(frame, each);
-        if (high != 0 && has_filler()) frame.add(command::nop, 0, 0, filler_size);
+        forget_frames();
+        next_ = 0;
+        returned_ = 0;
+        counting_ = 0;
+        is_counting_complete_ = true;
+        if (plan_.frame_count() != 0) ++cycle_;
+    }
+    /// Writes the next frame of the cycle to `out`, which holds 1514 bytes, and returns its size; 0 where all are sent,
+    /// or there is nothing to exchange.
+    [[nodiscard]] std::size_t next_frame(std::span<std::byte> out, time_point now) noexcept {
+        if (next_ == plan_.frame_count()) return 0;
+        auto& each = plan_.frame(next_);
+        frame_builder frame{out, first_tag()};
+        frame.tag_rest(rest_tag());
+        walk(each, [&](const planned& datagram) {
+            if (datagram.data.empty())
+                frame.add(datagram.cmd, datagram.adp, datagram.ado, datagram.length);
+            else
+                frame.add(datagram.cmd, datagram.adp, datagram.ado, datagram.data);
+            return true;
+        });
         const auto finished = frame.finish();
         if (!finished) return 0;
-        outstanding_.sent(*finished, now);
-        ++statistics_.sent;
+        if (next_++ == 0) ++statistics_.sent;
+        ++statistics_.frames;
+        each.waits = true;
+        each.sent_at = now;
+        ++outstanding_;
+        if (now - missing_sent_at_ > longest_delay) missing_ = 0;
         return finished->size();
     }
 
@@ -114,142 +162,196 @@ class process_data {
     bool on_frame(std::span<const std::byte> frame) noexcept {
         frame_view view;
         if (!view.parse(frame) || !begins_as_ours(view)) return false;
-        const auto datagrams = outstanding_.waits() ? outstanding_.match(view) : replies{};
-        if (datagrams.empty()) return outstanding_.claim(view);
-        auto next = datagrams.begin() + (part_count_ == 0 ? 1 : 0);
-        std::array<exchanged, slave_capacity> back{};
-        working_counter_ = 0;
-        is_complete_ = true;
-        for (std::size_t i = 0; i != part_count_; ++i) {
-            back[i] = take(parts_[i], next);
-            is_complete_ = is_complete_ && back[i].is_complete;
+        auto* const found = find(view);
+        if (found != nullptr && found->waits && answers(*found, view)) {
+            take(*found, view);
+            return true;
         }
-        ++(is_complete_ ? statistics_.complete : statistics_.incomplete);
-        for (auto& each : members()) {
-            const auto data = each.part == no_part ? exchanged{} : back[each.part];
-            const bool is_open = !watches_ || watch(each, data.is_complete, next);
-            if (is_open && data.is_complete) take_inputs(each, data.bytes);
-        }
+        // A late one, or a second copy.
+        if (missing_ == 0) return found != nullptr;
+        --missing_;
         return true;
     }
 
-    /// The cycle's frame is not back yet.
-    [[nodiscard]] bool waits() const noexcept { return outstanding_.waits(); }
-    /// Every slave took part in the last cycle: its frame has returned, with the expected working counter.
+    /// A frame of the cycle is not back yet.
+    [[nodiscard]] bool waits() const noexcept { return outstanding_ != 0; }
+    /// Every slave took part in the last cycle: its frames have returned, with the expected working counters.
     [[nodiscard]] bool is_complete() const noexcept { return is_complete_; }
-    /// Working counter of the process data in the last reply; the sum if each slave has its own datagram.
+    /// Sum of the working counters of all process data in the last cycle whose frames have all returned.
     [[nodiscard]] std::uint16_t working_counter() const noexcept { return working_counter_; }
     [[nodiscard]] const process_statistics& statistics() const noexcept { return statistics_; }
 
   private:
-    /// A piece of the image that has datagrams of its own, and the working counters that these have to have.
-    struct part {
-        std::uint32_t address{};
-        std::size_t size{};
-        std::uint16_t write{}, read{};
+    // A datagram as it is sent; without data, zeros.
+    struct planned {
+        command cmd{};
+        std::uint16_t adp{}, ado{};
+        std::size_t length{};
+        std::span<const std::byte> data{};
     };
-    /// Reply of a part.
-    struct exchanged {
-        std::span<const std::byte> bytes{};
-        bool is_complete{true};
-    };
-    static constexpr std::size_t no_part = slave_capacity;
-    struct member {
-        std::uint16_t station{};
-        bool has_mailbox{};
-        std::uint32_t input_address{};
-        std::uint16_t input_size{};
-        std::size_t part{no_part}; ///< that has its process data
-        slave_status status{};
-    };
-
-    static constexpr std::size_t filler_size = 1;
-    static constexpr std::size_t max_datagrams = slave_capacity * 4; // LWR, LRD, AL status, reply mailbox
-
-    [[nodiscard]] std::span<const part> parts() const noexcept { return std::span{parts_}.first(part_count_); }
-    [[nodiscard]] std::span<const member> members() const noexcept { return std::span{members_}.first(member_count_); }
-    [[nodiscard]] std::span<member> members() noexcept { return std::span{members_}.first(member_count_); }
 
     [[nodiscard]] bool holds(std::uint32_t address, std::size_t size) const noexcept {
         return size <= image_.size && address <= image_.size - size;
     }
-    [[nodiscard]] std::span<std::byte> piece(std::uint32_t address, std::size_t size) noexcept {
-        return holds(address, size) ? std::span{bytes_}.subspan(address, size) : std::span<std::byte>{};
+    [[nodiscard]] std::span<std::byte> piece(std::uint32_t address, std::size_t size) const noexcept {
+        return holds(address, size) ? bytes_.subspan(address, size) : std::span<std::byte>{};
+    }
+    // Of a slave that came or went, which may be outside the present image.
+    void clear(const process_place& place) noexcept {
+        if (place.end() > bytes_.size()) return;
+        std::ranges::fill(bytes_.subspan(place.output_address, place.output_size), std::byte{});
+        std::ranges::fill(bytes_.subspan(place.input_address, place.input_size), std::byte{});
     }
 
-    void add_part(std::uint32_t address, std::size_t size, const process_image& counters) noexcept {
-        if (size != 0) parts_[part_count_++] = {address, size, counters.write, counters.read};
-    }
-    void add_member(const slave_record& slave) noexcept {
-        const auto& place = slave.process_data;
-        if (watches_) add_part(place.output_address, place.size(), process_image::of({&slave, 1}));
-        members_[member_count_++] = {.station = slave.station,
-                                     .has_mailbox = slave.mailbox.send_size != 0,
-                                     .input_address = place.input_address,
-                                     .input_size = place.input_size,
-                                     .part = place.size() != 0 ? part_count_ - 1 : no_part};
+    // The cycle's number: its low byte tags the first datagram, both bytes those that follow.
+    [[nodiscard]] std::uint8_t first_tag() const noexcept { return static_cast<std::uint8_t>(cycle_); }
+    [[nodiscard]] std::uint8_t rest_tag() const noexcept { return static_cast<std::uint8_t>(cycle_ + (cycle_ >> 8)); }
+
+    void forget_frames() noexcept {
+        for (std::size_t i = 0; i != plan_.frame_count(); ++i) {
+            auto& each = plan_.frame(i);
+            if (!each.waits) continue;
+            each.waits = false;
+            missing_sent_at_ = each.sent_at;
+            ++missing_;
+        }
+        outstanding_ = 0;
     }
 
     // A datagram alone has one index, which is the same every 256 cycles: a reply that late would be taken for the
     // present one. From then on another datagram carries the rest of the cycle's number.
-    [[nodiscard]] bool has_filler() const noexcept {
-        const bool is_alone = part_count_ == 1 && !image_.no_lrw && !watches_;
-        return is_alone && datagrams_size() + datagram_overhead + filler_size <= max_datagrams_size;
-    }
-    // Size of all datagrams of a cycle.
-    [[nodiscard]] std::size_t datagrams_size() const noexcept {
-        if (part_count_ == 0 && (!watches_ || member_count_ == 0)) return 0;
-        std::size_t size = part_count_ == 0 ? datagram_overhead + filler_size : 0;
-        for (const auto& each : parts()) size += (datagram_overhead + each.size) * (image_.no_lrw ? 2 : 1);
-        for (const auto& each : members()) {
-            if (!watches_) break;
-            size += datagram_overhead + wire::max_size<al_status>;
-            if (each.has_mailbox) size += datagram_overhead + wire::max_size<sync_manager_handshake>;
-        }
-        return size;
+    [[nodiscard]] bool has_filler(const process_frame& frame) const noexcept {
+        const bool is_alone =
+            frame.parts == 1 && !plan_.part(frame.first_part).counters.no_lrw && !options_.watch_slaves;
+        return cycle_ > 0xFF && is_alone &&
+               frame.size + datagram_overhead + process_plan::filler_size <= max_datagrams_size;
     }
 
-    // A master's frames begin with neither: without this a frame that only looks at a state would be taken for its own.
+    // Calls `visit` for each datagram of a frame, in order, until it returns false. Returns whether it never did.
+    template <class Visit> bool walk(const process_frame& frame, Visit&& visit) const noexcept {
+        constexpr planned filler{.cmd = command::nop, .length = process_plan::filler_size};
+        if (frame.parts == 0 && !visit(filler)) return false;
+        for (std::size_t i = 0; i != frame.parts; ++i) {
+            const auto& part = plan_.part(frame.first_part + i);
+            const auto address = options_.logical_base + part.address;
+            planned datagram{.cmd = command::lrw,
+                             .adp = static_cast<std::uint16_t>(address),
+                             .ado = static_cast<std::uint16_t>(address >> 16),
+                             .length = part.size,
+                             .data = bytes_.subspan(part.address, part.size)};
+            if (part.counters.no_lrw) {
+                datagram.cmd = command::lwr;
+                if (!visit(datagram)) return false;
+                datagram.cmd = command::lrd;
+                datagram.data = {};
+            }
+            if (!visit(datagram)) return false;
+        }
+        for (std::size_t i = 0; options_.watch_slaves && i != frame.members; ++i) {
+            const auto& member = plan_.member(frame.first_member + i);
+            const auto read = [&](const auto& at) {
+                return visit(planned{.cmd = command::fprd,
+                                     .adp = member.station,
+                                     .ado = at.address,
+                                     .length = wire::max_size<typename std::decay_t<decltype(at)>::value_type>});
+            };
+            if (!read(esc_registers::al_status)) return false;
+            if (member.has_mailbox && !read(sync_manager_handshake_of(1))) return false;
+        }
+        return !has_filler(frame) || visit(filler);
+    }
+
+    // A master's frames begin with none of them: without this a frame that only looks at a state would be taken for its
+    // own.
     [[nodiscard]] static bool begins_as_ours(const frame_view& frame) noexcept {
         const auto cmd = (*frame.begin()).header.cmd;
-        return cmd == command::lrw || cmd == command::lwr || cmd == command::lrd || cmd == command::nop;
+        return cmd == command::lrw || cmd == command::lwr || cmd == command::nop;
     }
-    void request(frame_builder& frame, const part& each) const noexcept {
-        const auto data = std::span{bytes_}.subspan(each.address, each.size);
-        const auto address = base_ + each.address;
-        const auto low = static_cast<std::uint16_t>(address), high = static_cast<std::uint16_t>(address >> 16);
-        if (!image_.no_lrw) return frame.add(command::lrw, low, high, data);
-        frame.add(command::lwr, low, high, data);
-        frame.add(command::lrd, low, high, each.size);
+    static bool is_return_of(const planned& sent, const datagram_header& back) noexcept {
+        return back.cmd == sent.cmd && back.ado == sent.ado && back.length == sent.length && back.adp == sent.adp;
     }
-    void request(frame_builder& frame, const member& each) const noexcept {
-        frame.read(each.station, esc_registers::al_status);
-        if (each.has_mailbox) frame.read(each.station, sync_manager_handshake_of(1));
+    // The frame of this or an earlier cycle that begins like this one, up to the first datagram that does something.
+    [[nodiscard]] process_frame* find(const frame_view& view) const noexcept {
+        for (std::size_t i = 0; i != plan_.frame_count(); ++i) {
+            auto at = view.begin();
+            bool is_same = true;
+            walk(plan_.frame(i), [&](const planned& sent) {
+                is_same = at != view.end() && is_return_of(sent, (*at).header);
+                if (is_same) ++at;
+                return is_same && sent.cmd == command::nop;
+            });
+            if (is_same) return &plan_.frame(i);
+        }
+        return nullptr;
+    }
+    // Whether all datagrams are those of this cycle.
+    [[nodiscard]] bool answers(const process_frame& frame, const frame_view& view) const noexcept {
+        auto at = view.begin();
+        auto tag = first_tag();
+        const bool is_same = walk(frame, [&](const planned& sent) {
+            if (at == view.end()) return false;
+            const auto header = (*at).header;
+            ++at;
+            const bool has_tag = header.index == tag;
+            tag = rest_tag();
+            return has_tag && is_return_of(sent, header);
+        });
+        return is_same && at == view.end();
     }
 
-    exchanged take(const part& each, replies::iterator& next) noexcept {
-        const bool written = !image_.no_lrw || next++->working_counter == each.write;
-        const auto& last = *next++;
-        working_counter_ = static_cast<std::uint16_t>(working_counter_ + last.working_counter);
-        const int expected = image_.no_lrw ? each.read : each.read + 2 * each.write;
-        return {last.data, written && last.working_counter == expected};
+    void take(process_frame& frame, const frame_view& view) noexcept {
+        frame.waits = false;
+        --outstanding_;
+        auto data = view.begin();
+        if (frame.parts == 0) ++data;
+        auto watched = data;
+        for (std::size_t i = 0; i != frame.parts; ++i)
+            for (int n = plan_.part(frame.first_part + i).counters.no_lrw ? 2 : 1; n != 0; --n) ++watched;
+        std::size_t member = frame.first_member;
+        const auto end = frame.first_member + frame.members;
+        for (std::size_t i = 0; i != frame.parts; ++i) {
+            const auto& part = plan_.part(frame.first_part + i);
+            const bool is_exchanged = is_complete(part, data);
+            is_counting_complete_ = is_counting_complete_ && is_exchanged;
+            const auto back = (*data++).data;
+            for (const auto last = member + part.members; member != last; ++member) {
+                auto& each = plan_.member(member);
+                const bool is_open = !options_.watch_slaves || watch(each, is_exchanged, frame.sent_at, watched);
+                if (is_open && is_exchanged)
+                    take_inputs(each.place, back.subspan(each.place.output_address - part.address));
+            }
+        }
+        for (; options_.watch_slaves && member != end; ++member)
+            watch(plan_.member(member), true, frame.sent_at, watched);
+        if (++returned_ != plan_.frame_count()) return;
+        is_complete_ = is_counting_complete_;
+        working_counter_ = counting_;
+        ++(is_complete_ ? statistics_.complete : statistics_.incomplete);
     }
-
-    void take_inputs(const member& each, std::span<const std::byte> data) noexcept {
-        if (each.input_size == 0) return;
-        const auto offset = each.input_address - parts_[each.part].address;
-        std::ranges::copy(data.subspan(offset, each.input_size), piece(each.input_address, each.input_size).begin());
+    // Checks the working counters; `next` is then at the datagram with the inputs.
+    [[nodiscard]] bool is_complete(const process_part& part, frame_view::iterator& next) noexcept {
+        const auto& counters = part.counters;
+        const bool is_written = !counters.no_lrw || (*next++).working_counter == counters.write;
+        const auto counter = (*next).working_counter;
+        counting_ = static_cast<std::uint16_t>(counting_ + counter);
+        return is_written && counter == (counters.no_lrw ? counters.read : counters.read_write);
+    }
+    // `back` begins with the slave's place.
+    void take_inputs(const process_place& place, std::span<const std::byte> back) noexcept {
+        std::ranges::copy(back.subspan(place.input_address - place.output_address, place.input_size),
+                          piece(place.input_address, place.input_size).begin());
     }
 
     // Evaluates the registers of a slave. Returns whether its inputs are valid.
-    bool watch(member& each, bool is_exchanged, replies::iterator& next) noexcept {
+    static bool watch(process_member& each, bool is_exchanged, time_point sent_at,
+                      frame_view::iterator& next) noexcept {
         auto& status = each.status;
-        status.last_frame = outstanding_.sent_at();
-        const auto& state = *next++;
+        status.last_frame = sent_at;
+        const auto state = *next++;
         if (state.working_counter == 1) status.al = state.value(esc_registers::al_status);
         status.reply_waiting = false;
         if (each.has_mailbox) {
-            const auto& reply = *next++;
+            const auto reply = *next++;
             const auto mailbox = reply.value(sync_manager_handshake_of(1));
             status.reply_waiting = reply.working_counter == 1 && mailbox.enable && mailbox.full;
         }
@@ -267,20 +369,40 @@ class process_data {
         return is_exchanged ? slave_condition::running : slave_condition::incomplete;
     }
 
+    static constexpr std::chrono::nanoseconds longest_delay = std::chrono::seconds{10};
+
+    process_plan plan_;
+    std::span<std::byte> bytes_;
     process_image image_{};
-    bool watches_{};
-    std::uint32_t base_{};
+    process_options options_{};
     bool fits_{true};
-    std::array<std::byte, max_process_image> bytes_{};
-    std::array<part, slave_capacity> parts_{};
-    std::size_t part_count_{};
-    std::array<member, slave_capacity> members_{};
-    std::size_t member_count_{};
-    outstanding_frame<max_datagrams> outstanding_{};
-    std::uint16_t cycle_{}; // its low byte tags the first datagram, its high byte those that follow
+    std::uint16_t cycle_{};
+    std::size_t next_{};        // frame to be sent
+    std::size_t outstanding_{}; // frames that are under way
+    std::size_t returned_{};    // frames of this cycle
+    std::uint16_t counting_{};  // working counters of this cycle
+    bool is_counting_complete_{};
     std::uint16_t working_counter_{};
     bool is_complete_{};
+    std::uint64_t missing_{};      // frames that have not come back
+    time_point missing_sent_at_{}; // the last of these
     process_statistics statistics_{};
+};
+
+/// Process data with memory for up to `Slaves` slaves and `Bytes` of outputs and inputs together:
+/// `process_data_for<6, 600> data{master.slaves(), {.watch_slaves = true}}`.
+template <std::size_t Slaves, std::size_t Bytes>
+class process_data_for : private process_memory_for<Slaves, Bytes>, public process_data {
+    using memory = process_memory_for<Slaves, Bytes>;
+
+  public:
+    /// Without slaves.
+    process_data_for() noexcept : process_data{memory::slots, memory::bytes} {}
+    /// See `set_slaves`.
+    explicit process_data_for(std::span<const slave_record> slaves, const process_options& options = {}) noexcept
+        : process_data_for{} {
+        set_slaves(slaves, options);
+    }
 };
 
 } // namespace jauscat::ethercat

@@ -25,13 +25,13 @@ namespace jauscat::ethercat {
 class process_setup {
   public:
     process_setup() noexcept = default;
-    /// `slave` is in PRE-OP. `image` is that of all other slaves: this one's place follows.
-    process_setup(const slave_record& slave, const process_image& image, std::chrono::nanoseconds watchdog,
+    /// `slave` is in PRE-OP. `image_end` is where the image of all other slaves ends: this one's place follows.
+    process_setup(const slave_record& slave, std::uint32_t image_end, std::chrono::nanoseconds watchdog,
                   std::uint32_t logical_base = 0) noexcept
         : station_{slave.station},
           coe_{slave.mailbox.coe && slave.mailbox.receive_size != 0},
           before_{slave.process_data},
-          image_{image},
+          image_end_{image_end},
           watchdog_units_{watchdog_units(watchdog)},
           logical_base_{logical_base} {}
 
@@ -183,11 +183,9 @@ class process_setup {
         if (used > fmmus_) return fail({.code = master_errc::no_fmmu, .fmmus = used});
         // A slave that comes back keeps its place.
         const bool same = outputs == before_.output_size && inputs == before_.input_size && before_.size() != 0;
-        place_.output_address = same ? before_.output_address : static_cast<std::uint32_t>(image_.size);
-        const bool two_datagrams = place_.no_lrw || image_.no_lrw;
-        const std::size_t end =
-            std::max<std::size_t>(image_.size, std::size_t{place_.output_address} + outputs + inputs);
-        if (end > (two_datagrams ? max_process_image_without_lrw : max_process_image))
+        place_.output_address = same ? before_.output_address : image_end_;
+        if (std::size_t{outputs} + inputs >
+            (place_.no_lrw ? max_slave_process_data_without_lrw : max_slave_process_data))
             return fail({.code = master_errc::image_full, .bytes = outputs + inputs});
         place_.input_address = place_.output_address + outputs;
         place_.output_size = static_cast<std::uint16_t>(outputs);
@@ -253,7 +251,7 @@ class process_setup {
     std::uint16_t station_{};
     bool coe_{};
     process_place before_{}, place_{};
-    process_image image_{};
+    std::uint32_t image_end_{};
     std::uint16_t watchdog_units_{};
     std::uint32_t logical_base_{};
     std::uint8_t fmmus_{};

@@ -1,7 +1,6 @@
-// The slaves that a master has brought up, in no particular order; memory for all of them.
+// The slaves that a master has brought up, in no particular order, in memory lent by the user.
 #pragma once
 
-#include <jauscat/ethercat/master/process_image.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
 
 #include <algorithm>
@@ -12,46 +11,75 @@
 
 namespace jauscat::ethercat {
 
-/// Up to slave_capacity records, found by station address.
+/// Memory for the records of up to `Slaves` slaves.
+template <std::size_t Slaves> struct slave_memory {
+    std::array<slave_record, Slaves> records{};
+
+    constexpr operator std::span<slave_record>() noexcept { return records; }
+};
+
+/// Records found by station address. A slave that is `away` could not be brought up again: it may still use its place
+/// in the process image, so its record stays.
 class slave_list {
   public:
-    /// All of them, in no particular order.
-    [[nodiscard]] std::span<const slave_record> all() const noexcept { return std::span{records_}.first(count_); }
-    /// Whether the list is full.
-    [[nodiscard]] bool full() const noexcept { return count_ == records_.size(); }
+    /// `memory` outlives the list.
+    explicit slave_list(std::span<slave_record> memory) noexcept : memory_{memory} {}
+    slave_list(const slave_list&) = delete;
+    slave_list& operator=(const slave_list&) = delete;
+
+    /// Those that were brought up, in no particular order.
+    [[nodiscard]] std::span<const slave_record> all() const noexcept { return memory_.first(count_); }
+    [[nodiscard]] std::span<const slave_record> away() const noexcept { return memory_.last(away_); }
+    [[nodiscard]] std::size_t capacity() const noexcept { return memory_.size(); }
+    /// Whether there is no memory for another record.
+    [[nodiscard]] bool full() const noexcept { return count_ + away_ == memory_.size(); }
 
     /// By its station address; nullptr where there is none.
-    [[nodiscard]] slave_record* find(std::uint16_t station) noexcept {
-        const auto known = std::span{records_}.first(count_);
-        const auto found = std::ranges::find(known, station, &slave_record::station);
-        return found == known.end() ? nullptr : &*found;
-    }
+    [[nodiscard]] slave_record* find(std::uint16_t station) noexcept { return find(memory_.first(count_), station); }
     /// By its station address; nullptr where there is none.
     [[nodiscard]] const slave_record* find(std::uint16_t station) const noexcept {
-        const auto found = std::ranges::find(all(), station, &slave_record::station);
-        return found == all().end() ? nullptr : &*found;
+        return find(memory_.first(count_), station);
+    }
+    /// The same among those that are away.
+    [[nodiscard]] const slave_record* find_away(std::uint16_t station) const noexcept {
+        return find(memory_.last(away_), station);
     }
 
-    void clear() noexcept { count_ = 0; }
-    /// Removes the slave with this position or this station address.
+    void clear() noexcept { count_ = away_ = 0; }
+    /// Removes the slaves with this position or this station address, also those that are away.
     void remove(std::uint16_t position, std::uint16_t station) noexcept {
-        const auto known = std::span{records_}.first(count_);
         const auto gone = [&](const slave_record& s) { return s.position == position || s.station == station; };
+        const auto known = memory_.first(count_);
         count_ = static_cast<std::size_t>(std::remove_if(known.begin(), known.end(), gone) - known.begin());
+        for (std::size_t i = memory_.size() - away_; i != memory_.size(); ++i)
+            if (gone(memory_[i])) memory_[i] = memory_[memory_.size() - away_--];
     }
     /// Only while it is not full.
-    void add(const slave_record& record) noexcept { records_[count_++] = record; }
+    void add(const slave_record& record) noexcept { memory_[count_++] = record; }
+    /// Only while it is not full.
+    void add_away(const slave_record& record) noexcept { memory_[memory_.size() - ++away_] = record; }
 
-    /// The process image of all slaves but one.
-    [[nodiscard]] process_image image_without(const slave_record& slave) const noexcept {
-        auto others = *this;
-        others.remove(slave.position, slave.station);
-        return process_image::of(others.all());
+    /// Where the process image of all other slaves ends, those that are away included.
+    [[nodiscard]] std::uint32_t image_end_without(const slave_record& slave) const noexcept {
+        std::uint32_t end = 0;
+        const auto add = [&](const slave_record& each) {
+            const bool is_same = each.position == slave.position || each.station == slave.station;
+            if (!is_same) end = std::max(end, each.process_data.end());
+        };
+        std::ranges::for_each(all(), add);
+        std::ranges::for_each(away(), add);
+        return end;
     }
 
   private:
-    std::array<slave_record, slave_capacity> records_{};
-    std::size_t count_{};
+    static slave_record* find(std::span<slave_record> records, std::uint16_t station) noexcept {
+        const auto found = std::ranges::find(records, station, &slave_record::station);
+        return found == records.end() ? nullptr : &*found;
+    }
+
+    std::span<slave_record> memory_;
+    std::size_t count_{}; // at the front
+    std::size_t away_{};  // at the back
 };
 
 } // namespace jauscat::ethercat

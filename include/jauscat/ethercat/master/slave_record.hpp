@@ -15,8 +15,6 @@
 
 namespace jauscat::ethercat {
 
-inline constexpr std::size_t slave_capacity = 16;
-
 /// The last emergencies of a slave, the oldest first.
 class emergency_log {
   public:
@@ -72,6 +70,12 @@ struct process_place {
     bool no_lrw{};                  ///< the slave cannot read and write in one datagram
 
     [[nodiscard]] constexpr std::size_t size() const noexcept { return std::size_t{output_size} + input_size; }
+    /// Address behind it; 0 where there are no process data.
+    [[nodiscard]] constexpr std::uint32_t end() const noexcept {
+        return size() != 0 ? output_address + output_size + input_size : 0;
+    }
+
+    friend constexpr bool operator==(const process_place&, const process_place&) = default;
 };
 
 struct slave_record {

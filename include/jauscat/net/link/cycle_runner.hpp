@@ -18,9 +18,9 @@ namespace jauscat::net {
 
 struct cycle_report {
     duration late{};       ///< start of the cycle after its due time
-    duration round_trip{}; ///< from sending the process data to their return; only if `back`
-    bool sent{};           ///< the link accepted the frame
-    bool back{};           ///< the frame returned before the next one was due
+    duration round_trip{}; ///< from sending the process data to the return of the last frame; only if `back`
+    bool sent{};           ///< the link accepted every frame
+    bool back{};           ///< every frame returned before the next cycle was due
 };
 
 /// Period and timing of the cycles.
@@ -55,11 +55,15 @@ template <class Link> class cycle_runner {
         const auto masters_turn = start + config_.period / std::max(config_.loss_fraction, 1u);
         prepare();
         const auto begun = now();
-        const auto size = data_.next_frame(frame_, begun);
-        report.sent = size != 0 && link_.send(std::span{frame_}.first(size));
+        report.sent = send_process_data();
+        const auto settle = [&] {
+            if (!waits(report) || data_.waits()) return;
+            report.back = true;
+            report.round_trip = now() - begun;
+        };
+        settle();
         // A thread that was preempted until the end of the cycle still processes received frames, up to a limit.
-        // Process data count as lost only if none has arrived by the master's turn: a link may hold one frame at a
-        // time.
+        // Process data count as lost only if no frame has arrived by the master's turn: a link may hold one at a time.
         bool none_arrived = false;
         for (unsigned late_frames = 0; waits(report) || !master_.idle();) {
             const auto at = now();
@@ -67,19 +71,14 @@ template <class Link> class cycle_runner {
             if (over && (!waits(report) || ++late_frames == max_late_frames)) break;
             const bool works = !waits(report) || (none_arrived && !over);
             const auto wake = std::min(end, works ? work(at, end) : masters_turn);
-            const auto received = link_.receive(frame_, std::max(wake - now(), duration{}));
+            const auto received = link_.receive(received_, std::max(wake - now(), duration{}));
             if (received == 0) {
                 none_arrived = at >= masters_turn;
                 if (over) break;
                 continue;
             }
-            const auto bytes = std::span{frame_}.first(received);
-            if (!data_.on_frame(bytes)) {
-                master_.on_frame(bytes, now());
-            } else if (waits(report) && !data_.waits()) {
-                report.back = true;
-                report.round_trip = now() - begun;
-            }
+            take(std::span{received_}.first(received));
+            settle();
         }
         return report;
     }
@@ -113,6 +112,25 @@ template <class Link> class cycle_runner {
     // Process data are outstanding.
     static bool waits(const cycle_report& report) noexcept { return report.sent && !report.back; }
 
+    // All frames of a cycle, back to back. A link that holds one frame at a time accepts the next one when that has
+    // been received. Whether all were accepted.
+    bool send_process_data() {
+        bool is_sent = false, is_refused = false;
+        data_.begin_cycle();
+        while (const auto size = data_.next_frame(frame_, now())) {
+            const auto frame = std::span{frame_}.first(size);
+            is_sent = true;
+            if (link_.send(frame)) continue;
+            while (const auto received = link_.receive(received_, duration{}))
+                take(std::span{received_}.first(received));
+            is_refused = !link_.send(frame) || is_refused;
+        }
+        return is_sent && !is_refused;
+    }
+    void take(std::span<const std::byte> frame) {
+        if (!data_.on_frame(frame)) master_.on_frame(frame, now());
+    }
+
     // Lets the master send or time out; returns the time of its next event.
     time_point work(time_point at, time_point end) noexcept {
         master_.on_time(at);
@@ -130,7 +148,8 @@ template <class Link> class cycle_runner {
     ethercat::master& master_;
     cycle_config config_;
     cycle_timer timer_;
-    std::array<std::byte, ethercat::max_frame_size> frame_{};
+    std::array<std::byte, ethercat::max_frame_size> frame_{}; // to be sent
+    std::array<std::byte, ethercat::max_frame_size> received_{};
 };
 
 } // namespace jauscat::net

@@ -1,0 +1,172 @@
+// Cuts the process image into datagrams, and these into frames.
+#pragma once
+
+#include <jauscat/ethercat/frame_builder.hpp>
+#include <jauscat/ethercat/master/activity.hpp>
+#include <jauscat/ethercat/master/process_image.hpp>
+#include <jauscat/ethercat/master/slave_record.hpp>
+#include <jauscat/ethercat/master/slave_status.hpp>
+#include <jauscat/schema/ethercat/esc_registers.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <tuple>
+
+namespace jauscat::ethercat {
+
+/// A slave in the cyclic exchange.
+struct process_member {
+    std::uint16_t station{};
+    bool has_mailbox{};
+    process_place place{};
+    slave_status status{};
+};
+
+/// A range of the image that has a datagram of its own: an LRW, or an LWR and an LRD. It holds whole slaves.
+struct process_part {
+    std::uint32_t address{};
+    std::size_t size{};
+    std::size_t members{};    ///< in the order of their addresses
+    process_image counters{}; ///< working counters of a complete exchange
+};
+
+/// A frame of a cycle: consecutive parts, and consecutive members. Those with process data come first.
+struct process_frame {
+    std::size_t first_part{}, parts{};
+    std::size_t first_member{}, members{};
+    std::size_t size{}; ///< bytes of the datagrams
+    bool waits{};       ///< it has not come back
+    time_point sent_at{};
+};
+
+/// Memory for one slave: no cycle has more parts, or more frames, than slaves.
+struct process_slot {
+    process_member member{};
+    process_part part{};
+    process_frame frame{};
+};
+
+/// The frames of a cycle, in memory lent by the user. Each slave's data travel in one datagram, and what is read of a
+/// watched slave in the same frame.
+class process_plan {
+  public:
+    static constexpr std::size_t filler_size = 1;
+
+    explicit process_plan(std::span<process_slot> memory) noexcept : slots_{memory} {}
+
+    [[nodiscard]] std::size_t capacity() const noexcept { return slots_.size(); }
+    [[nodiscard]] std::size_t member_count() const noexcept { return members_; }
+    [[nodiscard]] std::size_t frame_count() const noexcept { return frames_; }
+    [[nodiscard]] process_member& member(std::size_t i) const noexcept { return slots_[i].member; }
+    [[nodiscard]] process_part& part(std::size_t i) const noexcept { return slots_[i].part; }
+    [[nodiscard]] process_frame& frame(std::size_t i) const noexcept { return slots_[i].frame; }
+
+    /// The member with this place and station; nullptr where there is none. Only after `cut`.
+    [[nodiscard]] process_member* find(std::uint16_t station, const process_place& place) const noexcept {
+        const auto all = slots_.first(members_);
+        const auto key = key_of(station, place);
+        const auto at = std::ranges::lower_bound(all, key, {}, key_of_slot);
+        return at != all.end() && key_of_slot(*at) == key ? &at->member : nullptr;
+    }
+
+    /// Only while there are fewer members than the capacity.
+    void add(const slave_record& slave) noexcept {
+        slots_[members_++].member = {
+            .station = slave.station, .has_mailbox = slave.mailbox.send_size != 0, .place = slave.process_data};
+    }
+    template <class Stays> void remove_unless(Stays&& stays) noexcept {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i != members_; ++i)
+            if (stays(slots_[i].member)) slots_[kept++].member = slots_[i].member;
+        members_ = kept;
+        frames_ = 0;
+    }
+
+    /// Distributes the members over datagrams and frames. False where the data of a slave are larger than a frame:
+    /// there are no frames then.
+    [[nodiscard]] bool cut(bool watches) noexcept {
+        parts_ = frames_ = 0;
+        sort();
+        for (std::size_t i = 0; i != members_; ++i) {
+            if (!place(i, watches)) {
+                frames_ = 0;
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// Bytes of the datagrams that read the state of a watched slave.
+    [[nodiscard]] static constexpr std::size_t watch_size(bool has_mailbox) noexcept {
+        return datagram_overhead + wire::max_size<al_status> +
+               (has_mailbox ? datagram_overhead + wire::max_size<sync_manager_handshake> : 0);
+    }
+
+  private:
+    using order = std::tuple<bool, std::uint32_t, std::uint16_t>;
+
+    static order key_of(std::uint16_t station, const process_place& place) noexcept {
+        const bool is_empty = place.size() == 0;
+        return {is_empty, is_empty ? 0 : place.output_address, station};
+    }
+    static order key_of_slot(const process_slot& slot) noexcept {
+        return key_of(slot.member.station, slot.member.place);
+    }
+
+    // Only the members move. Insertion: after a change of one slave the others are in order.
+    void sort() noexcept {
+        for (std::size_t i = 1; i < members_; ++i) {
+            const auto moved = slots_[i].member;
+            const auto at = key_of(moved.station, moved.place);
+            std::size_t to = i;
+            for (; to != 0 && at < key_of_slot(slots_[to - 1]); --to) slots_[to].member = slots_[to - 1].member;
+            slots_[to].member = moved;
+        }
+    }
+
+    [[nodiscard]] bool place(std::size_t i, bool watches) noexcept {
+        const auto& added = slots_[i].member;
+        const std::size_t copies = added.place.no_lrw ? 2 : 1;
+        const std::size_t data = added.place.size() * copies;
+        if (!watches && data != 0 && joins(added.place, data)) {
+            auto& last = part(parts_ - 1);
+            last.size += added.place.size();
+            last.counters.add(added.place);
+            ++last.members;
+            frame(frames_ - 1).size += data;
+            ++frame(frames_ - 1).members;
+            return true;
+        }
+        const std::size_t needed =
+            (data != 0 ? data + copies * datagram_overhead : 0) + (watches ? watch_size(added.has_mailbox) : 0);
+        if (needed == 0) return true; // nothing to exchange with it
+        if (frames_ == 0 || frame(frames_ - 1).size + needed > max_datagrams_size) {
+            const std::size_t filler = data == 0 ? datagram_overhead + filler_size : 0;
+            if (filler + needed > max_datagrams_size) return false;
+            frame(frames_++) = {.first_part = parts_, .first_member = i, .size = filler};
+        }
+        auto& last = frame(frames_ - 1);
+        last.size += needed;
+        ++last.members;
+        if (data == 0) return true;
+        ++last.parts;
+        auto& made = part(parts_++);
+        made = {.address = added.place.output_address, .size = added.place.size(), .members = 1};
+        made.counters.add(added.place);
+        return true;
+    }
+    // Whether a slave's data can be in the same datagram as those of the slave before.
+    [[nodiscard]] bool joins(const process_place& added, std::size_t data) const noexcept {
+        if (frames_ == 0 || parts_ == 0) return false;
+        const auto& last = part(parts_ - 1);
+        return last.address + last.size == added.output_address && last.counters.no_lrw == added.no_lrw &&
+               frame(frames_ - 1).size + data <= max_datagrams_size;
+    }
+
+    std::span<process_slot> slots_;
+    std::size_t members_{}, parts_{}, frames_{};
+};
+
+} // namespace jauscat::ethercat
