@@ -4,6 +4,7 @@
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
+#include <jauscat/schema/ethercat/dc_registers.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 
 #include <cstddef>

@@ -182,7 +182,13 @@ class esc_memory {
 
     // DL status: link and communication on port 0, and on port 1 if a slave follows; the others are closed.
     constexpr void show_link() noexcept {
-        store(esc_registers::dl_status, {static_cast<std::uint16_t>(downstream_ ? 0x5A30 : 0x5610)});
+        store(esc_registers::dl_status, {.link_0 = true,
+                                         .link_1 = downstream_,
+                                         .communication_0 = true,
+                                         .closed_1 = !downstream_,
+                                         .communication_1 = downstream_,
+                                         .closed_2 = true,
+                                         .closed_3 = true});
     }
 
     // Registers that a master may write. A write to another one is counted in the working counter, and ignored.

@@ -1,5 +1,5 @@
-// Registers of an EtherCAT slave controller (ESC): addresses, and the layout of those a mailbox master uses.
-// ETG.1000.4, clause 6; ET1100 data sheet, section II.
+// Registers of an EtherCAT slave controller (ESC): addresses, and the layout of those a master uses. dc_registers.hpp
+// has those of the distributed clock. ETG.1000.4, clause 6; ET1100 data sheet, section II.
 #pragma once
 
 #include <jauscat/schema/ethercat/al_state.hpp>
@@ -30,6 +30,7 @@ template <class Value>
 
 struct esc_word;
 struct esc_description;
+struct dl_status;
 struct sync_manager;
 struct mailbox_managers;
 struct sync_manager_handshake;
@@ -53,7 +54,7 @@ inline constexpr esc_register features{0x0008, 2}; ///< what it can do: see esc_
 inline constexpr esc_register_of<esc_word> station_address{{0x0010, 2}}; ///< by which a master addresses it
 inline constexpr esc_register_of<esc_word> station_alias{{0x0012, 2}};   ///< a second one, out of the SII
 inline constexpr esc_register dl_control{0x0100, 4}; ///< which ports are open, and whether the alias counts
-inline constexpr esc_register_of<esc_word> dl_status{{0x0110, 2}};              ///< which ports have a link
+inline constexpr esc_register_of<ethercat::dl_status> dl_status{{0x0110, 2}};   ///< which ports have a link
 inline constexpr esc_register_of<ethercat::al_control> al_control{{0x0120, 2}}; ///< the state requested by a master
 inline constexpr esc_register_of<ethercat::al_status> al_status{
     {0x0130, 6}};                                        ///< the state it is in, up to `al_status_code`
@@ -73,8 +74,7 @@ inline constexpr esc_register_of<ethercat::fmmu> fmmu{{0x0600, 16}};            
 inline constexpr esc_register_of<ethercat::sync_manager> sync_manager{
     {0x0800, 8}}; ///< SyncManager 0; the next ones follow
 inline constexpr esc_register_of<ethercat::mailbox_managers> mailbox_managers{{0x0800, 16}}; ///< SyncManagers 0 and 1
-inline constexpr esc_register dc_activation{0x0981, 1}; ///< which synchronization signals are on
-inline constexpr esc_register process_ram{0x1000, 0};   ///< mailboxes and process data; size by `ram_size`
+inline constexpr esc_register process_ram{0x1000, 0}; ///< mailboxes and process data; size by `ram_size`
 } // namespace esc_registers
 
 /// Status, activate and PDI control of SyncManager `n`.
@@ -103,9 +103,45 @@ struct esc_description {
     bool byte_fmmu{};             ///< FMMUs map whole bytes only
     bool dc{};                    ///< distributed clocks
     bool dc_64{};                 ///< these have 64 bits, else 32
+    bool ebus_low_jitter{};       ///< EBUS ports
+    bool ebus_link_detection{};   ///< enhanced, of EBUS ports
+    bool mii_link_detection{};    ///< enhanced, of MII ports
+    bool separate_fcs_errors{};   ///< frames with a wrong check sequence are counted separately
+    bool dc_sync_activation{};    ///< bits 3 to 7 of `dc_activation`; without it the clock may have no SYNC unit
     bool no_lrw{};                ///< LRW is not supported
     bool no_read_write{};         ///< BRW, APRW and FPRW are not supported
     bool fixed{};                 ///< FMMUs and SyncManagers cannot be changed
+};
+
+/// State of one port of a slave (in DL status).
+struct dl_port {
+    bool link{};          ///< a cable with a signal
+    bool closed{};        ///< frames do not leave here: they go on to the next port
+    bool communication{}; ///< the link carries frames
+
+    /// A slave, or the master, is connected here.
+    [[nodiscard]] constexpr bool is_open() const noexcept { return !closed && communication; }
+    friend constexpr bool operator==(const dl_port&, const dl_port&) noexcept = default;
+};
+
+/// DL status (0x0110), 2 bytes.
+struct dl_status {
+    bool pdi_operational{};         ///< the slave's application has loaded its SII
+    bool pdi_watchdog_ok{};         ///< the application runs
+    bool enhanced_link_detection{}; ///< is on
+    bool link_0{}, link_1{}, link_2{}, link_3{};
+    bool closed_0{}, communication_0{};
+    bool closed_1{}, communication_1{};
+    bool closed_2{}, communication_2{};
+    bool closed_3{}, communication_3{};
+
+    /// By port number, 0 to 3.
+    [[nodiscard]] constexpr std::array<dl_port, 4> ports() const noexcept {
+        return {{{link_0, closed_0, communication_0},
+                 {link_1, closed_1, communication_1},
+                 {link_2, closed_2, communication_2},
+                 {link_3, closed_3, communication_3}}};
+    }
 };
 
 /// How a SyncManager hands memory over.
@@ -221,11 +257,37 @@ template <> struct wire::schema<ethercat::esc_description> {
             reserved<1>,
             bit_field<&T::dc, 1>,
             bit_field<&T::dc_64, 1>,
-            reserved<5>,
+            bit_field<&T::ebus_low_jitter, 1>,
+            bit_field<&T::ebus_link_detection, 1>,
+            bit_field<&T::mii_link_detection, 1>,
+            bit_field<&T::separate_fcs_errors, 1>,
+            bit_field<&T::dc_sync_activation, 1>,
             bit_field<&T::no_lrw, 1>,
             bit_field<&T::no_read_write, 1>,
             bit_field<&T::fixed, 1>,
             reserved<4>>>;
+};
+
+template <> struct wire::schema<ethercat::dl_status> {
+    using T = ethercat::dl_status;
+    using type = layout<
+        bit_fields<u16le,
+            bit_field<&T::pdi_operational, 1>,
+            bit_field<&T::pdi_watchdog_ok, 1>,
+            bit_field<&T::enhanced_link_detection, 1>,
+            reserved<1>,
+            bit_field<&T::link_0, 1>,
+            bit_field<&T::link_1, 1>,
+            bit_field<&T::link_2, 1>,
+            bit_field<&T::link_3, 1>,
+            bit_field<&T::closed_0, 1>,
+            bit_field<&T::communication_0, 1>,
+            bit_field<&T::closed_1, 1>,
+            bit_field<&T::communication_1, 1>,
+            bit_field<&T::closed_2, 1>,
+            bit_field<&T::communication_2, 1>,
+            bit_field<&T::closed_3, 1>,
+            bit_field<&T::communication_3, 1>>>;
 };
 
 template <> struct wire::schema<ethercat::sync_manager> {
