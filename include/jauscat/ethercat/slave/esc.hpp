@@ -29,6 +29,11 @@ class esc : public esc_memory {
         static_cast<void>(wire::encode(ethernet, frame));
         for (const auto datagram : view) execute(datagram);
     }
+    /// The same where the slave has a clock: the frame begins to pass it `now`.
+    constexpr void pass(std::span<std::byte> frame, time_point now) noexcept {
+        begin_frame(now);
+        pass(frame);
+    }
 
   private:
     constexpr void execute(const basic_datagram<std::byte>& d) noexcept {

@@ -2,7 +2,10 @@
 // which access counts. esc.hpp processes frames.
 #pragma once
 
+#include <jauscat/base/time.hpp>
+#include <jauscat/ethercat/slave/slave_clock.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
+#include <jauscat/schema/ethercat/dc_registers.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 #include <jauscat/schema/ethercat/watchdog.hpp>
 #include <jauscat/wire/decode.hpp>
@@ -18,7 +21,8 @@
 
 namespace jauscat::ethercat {
 
-/// Register file, 8 KiB of process memory, 8 SyncManagers and the registers of 8 FMMUs; no distributed clock.
+/// Register file, 8 KiB of process memory, 8 SyncManagers, the registers of 8 FMMUs and, if it has one, those of a
+/// distributed clock.
 class esc_memory {
   public:
     static constexpr std::size_t memory_size = 0x3000; ///< bytes: 0x1000 of registers, then process memory
@@ -27,19 +31,28 @@ class esc_memory {
 
     constexpr esc_memory() noexcept { reset(); }
 
-    /// As after power-on: state INIT, station address 0, all SyncManagers and FMMUs off.
+    /// As after power-on: state INIT, station address 0, all SyncManagers and FMMUs off, no system time.
     constexpr void reset() noexcept {
         memory_.fill(std::byte{});
         open_.fill(false);
         written_.fill(false);
         al_control_written_ = sii_command_written_ = false;
-        constexpr std::array<std::byte, 8> description{
-            std::byte{0x11},       std::byte{1},                  // type, revision
-            std::byte{1},          std::byte{0},                  // build
-            std::byte{fmmu_count}, std::byte{sync_manager_count}, // FMMUs map bits, too: see `features`, all 0
-            std::byte{8},          std::byte{0x0F},               // RAM in KiB, ports 0 and 1 MII
-        };
-        std::ranges::copy(description, memory_.begin());
+        latches_ = false;
+        clock_.power_on();
+        store(esc_registers::description, {.type = 0x11, // FMMUs map bits, too
+                                           .revision = 1,
+                                           .build = 1,
+                                           .fmmus = fmmu_count,
+                                           .sync_managers = sync_manager_count,
+                                           .ram = 8,
+                                           .dc = has_clock(),
+                                           .dc_64 = width_ == clock_width::bits_64,
+                                           .dc_sync_activation = has_clock()});
+        if (has_clock()) {
+            store(esc_registers::dc_speed_start, {0x1000});
+            store(esc_registers::dc_filters, {.difference = 4, .speed = 12});
+            store(esc_registers::dc_pulse_length, {100});
+        }
         store(esc_registers::al_status, {.state = al_state::init});
         store(esc_registers::watchdog_divider, {default_watchdog_divider});
         store(esc_registers::pdi_watchdog, {default_watchdog_time});
@@ -48,9 +61,34 @@ class esc_memory {
     }
 
     /// Whether another slave is connected to port 1. Kept over a reset.
-    constexpr void set_downstream(bool connected) noexcept {
-        downstream_ = connected;
+    constexpr void set_downstream(bool connected) noexcept { set_connected(1, connected); }
+    /// Whether another slave is connected to a port, 1 to 3. Kept over a reset.
+    constexpr void set_connected(std::size_t port, bool connected) noexcept {
+        connected_[port] = connected;
         show_link();
+    }
+
+    /// Gives it a clock, or none, as after power-on. Kept over a reset.
+    constexpr void set_clock(clock_width width, const clock_error& error) noexcept {
+        width_ = width;
+        clock_.set_error(error);
+        reset();
+    }
+    [[nodiscard]] constexpr bool has_clock() const noexcept { return width_ != clock_width::no_clock; }
+    [[nodiscard]] constexpr const slave_clock& clock() const noexcept { return clock_; }
+    [[nodiscard]] constexpr slave_clock& clock() noexcept { return clock_; }
+    /// It is `now`: a frame begins to pass the processing unit. Times in registers are those of this instant.
+    constexpr void begin_frame(time_point now) noexcept {
+        latches_ = false;
+        if (!has_clock()) return;
+        clock_.advance(now);
+        show_clock();
+    }
+    /// The same frame begins to come back at a port, `now`.
+    constexpr void frame_returned(std::size_t port, time_point now) noexcept {
+        if (!has_clock()) return;
+        clock_.advance(now);
+        if (latches_) latch(port);
     }
 
     /// The application's view of a register.
@@ -128,6 +166,7 @@ class esc_memory {
         };
         if (touches(esc_registers::al_control)) al_control_written_ = true;
         if (touches(esc_registers::sii_control)) start_sii(address, in);
+        if (has_clock() && touches(esc_registers::distributed_clock)) write_clock(address, in);
         for (std::size_t n = 0; n != sync_manager_count; ++n)
             if (touches(nth(esc_registers::sync_manager, n))) switch_off_if_disabled(n);
         return true;
@@ -180,15 +219,114 @@ class esc_memory {
         if (written) written_[n] = true;
     }
 
-    // DL status: link and communication on port 0, and on port 1 if a slave follows; the others are closed.
+    // A port has a link if something is connected, port 0 always. Ports 2 and 3 exist only then.
     constexpr void show_link() noexcept {
         store(esc_registers::dl_status, {.link_0 = true,
-                                         .link_1 = downstream_,
+                                         .link_1 = connected_[1],
+                                         .link_2 = connected_[2],
+                                         .link_3 = connected_[3],
                                          .communication_0 = true,
-                                         .closed_1 = !downstream_,
-                                         .communication_1 = downstream_,
-                                         .closed_2 = true,
-                                         .closed_3 = true});
+                                         .closed_1 = !connected_[1],
+                                         .communication_1 = connected_[1],
+                                         .closed_2 = !connected_[2],
+                                         .communication_2 = connected_[2],
+                                         .closed_3 = !connected_[3],
+                                         .communication_3 = connected_[3]});
+        constexpr unsigned mii = 3, first_two = 0x0F;
+        memory_[esc_registers::ports.address] =
+            static_cast<std::byte>(first_two | (connected_[2] ? mii << 4 : 0u) | (connected_[3] ? mii << 6 : 0u));
+    }
+
+    constexpr void store_time(const esc_register_of<dc_time>& at, std::uint64_t ns) noexcept {
+        if (width_ == clock_width::bits_64)
+            store(at, {ns});
+        else
+            store(low_half(at), {static_cast<std::uint32_t>(ns)});
+    }
+    constexpr void show_clock() noexcept {
+        store_time(esc_registers::dc_system_time, clock_.reference_time());
+        show_control();
+        show_sync();
+    }
+    constexpr void show_control() noexcept {
+        store(esc_registers::dc_difference, clock_.difference());
+        store(esc_registers::dc_speed_difference, clock_.speed_difference());
+    }
+    constexpr void show_sync() noexcept {
+        store(esc_registers::dc_activation_status, clock_.activation_status());
+        if (clock_.next_sync0() != slave_clock::never) store_time(esc_registers::dc_start_time, clock_.next_sync0());
+        if (clock_.next_sync1() != slave_clock::never) store_time(esc_registers::dc_next_sync1, clock_.next_sync1());
+    }
+    constexpr void latch(std::size_t port) noexcept {
+        const auto at = static_cast<std::uint16_t>(esc_registers::dc_receive_times.address + 4 * port);
+        store(esc_register_of<dc_time_32>{{at, 4}}, {static_cast<std::uint32_t>(clock_.local_time())});
+    }
+
+    // What a master's write to the clock does beside what it stores.
+    constexpr void write_clock(std::size_t address, std::span<const std::byte> in) noexcept {
+        const auto touches = [&](const esc_register& r) {
+            return address < std::size_t{r.address} + r.size && address + in.size() > r.address;
+        };
+        if (address == esc_registers::dc_receive_times.address) {
+            latches_ = true;
+            latch(0);
+            store_time(esc_registers::dc_processing_time, clock_.local_time());
+        }
+        constexpr auto received = low_half(esc_registers::dc_system_time);
+        if (address <= received.address && address + in.size() >= std::size_t{received.address} + received.size) {
+            dc_time_32 time{};
+            static_cast<void>(wire::decode_prefix(time, in.subspan(received.address - address)));
+            clock_.compare(time.value);
+        }
+        if (touches(esc_registers::dc_delay)) clock_.set_delay(load(esc_registers::dc_delay).value);
+        if (touches(esc_registers::dc_offset)) set_offset();
+        if (touches(esc_registers::dc_speed_start) && is_masters_sync())
+            clock_.restart(load(esc_registers::dc_speed_start).value, load(esc_registers::dc_filters));
+        show_control();
+        const bool starts = touches(esc_registers::dc_start_time);
+        if ((!starts && !touches(esc_registers::dc_activation)) || !is_masters_sync()) return;
+        auto activation = load(esc_registers::dc_activation);
+        if (starts && activation.on_by_start_time) activation.on = true;
+        activation.test_pulse = false;
+        store(esc_registers::dc_activation, activation);
+        const bool is_short = in.size() <= 4 && activation.extend_start;
+        clock_.activate(activation, start_time(starts && is_short), load(esc_registers::dc_sync0_cycle).value,
+                        load(esc_registers::dc_sync1_cycle).value, width_);
+        show_sync();
+    }
+    constexpr void set_offset() noexcept {
+        const auto offset = load(esc_registers::dc_offset).value;
+        clock_.set_offset(width_ == clock_width::bits_64 ? offset : static_cast<std::uint32_t>(offset));
+    }
+    // A start time of 4 bytes is the next one that ends so.
+    [[nodiscard]] constexpr std::uint64_t start_time(bool extends) const noexcept {
+        const auto start = load(esc_registers::dc_start_time).value;
+        const auto now = clock_.system_time();
+        return extends ? now + (static_cast<std::uint32_t>(start) - static_cast<std::uint32_t>(now)) : start;
+    }
+    [[nodiscard]] constexpr bool is_masters_sync() const noexcept {
+        return !load(esc_registers::dc_cyclic_control).sync_by_pdi;
+    }
+    // Registers of the clock that keep what a master writes.
+    [[nodiscard]] constexpr bool is_writable_clock(std::size_t address) const noexcept {
+        namespace registers = esc_registers;
+        if (!has_clock()) return false;
+        const auto in_time = [&](const esc_register& r) {
+            return is_within(r, address) && (width_ == clock_width::bits_64 || address - r.address < 4);
+        };
+        if (is_within(registers::dc_cyclic_control, address)) return true;
+        if (is_within(registers::dc_latch0_control, address)) return !load(registers::dc_cyclic_control).latch0_by_pdi;
+        if (is_within(registers::dc_latch1_control, address)) return !load(registers::dc_cyclic_control).latch1_by_pdi;
+        const bool is_sync =
+            in_time(registers::dc_offset) || is_within(registers::dc_delay, address) ||
+            is_within(registers::dc_speed_start, address) || is_within(registers::dc_filters, address) ||
+            is_within(registers::dc_activation, address) || in_time(registers::dc_start_time) ||
+            is_within(registers::dc_sync0_cycle, address) || is_within(registers::dc_sync1_cycle, address);
+        return is_sync && is_masters_sync();
+    }
+
+    [[nodiscard]] static constexpr bool is_within(const esc_register& r, std::size_t address) noexcept {
+        return address >= r.address && address < std::size_t{r.address} + r.size;
     }
 
     // Registers that a master may write. A write to another one is counted in the working counter, and ignored.
@@ -203,7 +341,8 @@ class esc_memory {
         const std::size_t mappings = esc_registers::fmmu.address;
         if (address >= mappings && address < mappings + fmmu_count * esc_registers::fmmu.size)
             return (address - mappings) % esc_registers::fmmu.size < 13; // the last 3 bytes are reserved
-        const auto within = [&](esc_register r) { return address >= r.address && address < r.address + r.size; };
+        if (is_within(esc_registers::distributed_clock, address)) return is_writable_clock(address);
+        const auto within = [&](const esc_register& r) { return is_within(r, address); };
         return within(esc_registers::station_address) || within(esc_registers::dl_control) ||
                within(esc_registers::al_control) || within(esc_registers::ecat_event_mask) ||
                within(esc_registers::watchdog_divider) || within(esc_registers::pdi_watchdog) ||
@@ -243,7 +382,10 @@ class esc_memory {
     std::array<bool, sync_manager_count> written_{};
     bool al_control_written_{};
     bool sii_command_written_{};
-    bool downstream_{};
+    std::array<bool, 4> connected_{}; // by port; 0 is not used
+    clock_width width_{};
+    slave_clock clock_{};
+    bool latches_{}; // the present frame has been told to store the times at which it comes back
 };
 
 } // namespace jauscat::ethercat

@@ -30,7 +30,7 @@ class slave {
           sii_{make_sii_image(description,
                               {.sdo_information = objects.is_described(), .complete_access = objects.is_described()})},
           process_data_{description} {
-        power_on();
+        set_clock_error({});
     }
 
     /// Restarts as after power-on: the station address is gone, the state is INIT.
@@ -42,9 +42,17 @@ class slave {
                    {.eight_byte_reads = description_.eight_byte_sii_reads, .two_address_bytes = sii_.size() > 2048});
         mailbox_.power_on(esc_);
         process_data_.power_on(esc_);
+        sync0_count_ = 0;
     }
     /// Whether another slave is connected behind this one, for masters that look at the wiring. Kept at power-on.
     void set_downstream(bool connected) noexcept { esc_.set_downstream(connected); }
+    /// The same for any port, 1 to 3, of a slave with branches.
+    void set_connected(std::size_t port, bool connected) noexcept { esc_.set_connected(port, connected); }
+    /// What is wrong with its clock. Restarts it as after power-on.
+    void set_clock_error(const clock_error& error) noexcept {
+        esc_.set_clock(description_.clock, error);
+        power_on();
+    }
 
     /// A frame passes: it is changed in place, then the application works.
     void process(std::span<std::byte> frame) noexcept {
@@ -54,6 +62,37 @@ class slave {
 
     /// The controller's part of `process`: the application does not get to run.
     void pass(std::span<std::byte> frame) noexcept { esc_.pass(frame); }
+
+    /// The same for a slave with a distributed clock: the frame begins to arrive `now`, by any clock that does not go
+    /// back.
+    void process(std::span<std::byte> frame, time_point now) noexcept {
+        pass(frame, now);
+        work();
+    }
+    void pass(std::span<std::byte> frame, time_point now) noexcept {
+        pass_time(now);
+        esc_.pass(frame, now);
+    }
+    /// The frame that has passed begins to come back at a port, 1 to 3, `now`: the clock stores the time if it was
+    /// asked to.
+    void frame_returned(std::size_t port, time_point now) noexcept { esc_.frame_returned(port, now); }
+    /// Lets the clock run until `now`; without frames this is when SYNC signals come.
+    void pass_time(time_point now) noexcept {
+        if (!esc_.has_clock()) return;
+        esc_.clock().advance(now);
+        const auto count = esc_.clock().take_sync0();
+        sync0_count_ += count;
+        if (state() != al_state::op) return;
+        process_data_.on_sync0(count);
+        const auto limit = description_.sync_missed_limit;
+        if (limit != 0 && process_data_.missed_in_row() >= limit) leave_op(al_status_code::synchronization);
+    }
+    /// Its clock; without one it stands still.
+    [[nodiscard]] const slave_clock& clock() const noexcept { return esc_.clock(); }
+    /// SYNC0 signals since power-on.
+    [[nodiscard]] std::uint64_t sync0_count() const noexcept { return sync0_count_; }
+    /// Those of them in OP that found no outputs written since the one before.
+    [[nodiscard]] std::uint64_t sync_missed() const noexcept { return process_data_.sync_missed(); }
 
     /// The application's part of `process`: states, SII, process data and mailbox.
     void work() noexcept {
@@ -68,9 +107,7 @@ class slave {
     /// go back.
     void on_time(time_point now) noexcept {
         if (state() != al_state::op || !process_data_.expired(esc_, now)) return;
-        const al_status lost{.state = al_state::safe_op, .error = true, .code = al_status_code::sync_manager_watchdog};
-        esc_.store(esc_registers::al_status, lost);
-        mailbox_.set_state(lost.state);
+        leave_op(al_status_code::sync_manager_watchdog);
     }
 
     /// The outputs in force: those that a master wrote last in OP. The application decides which state is safe without
@@ -91,6 +128,12 @@ class slave {
     }
 
   private:
+    void leave_op(al_status_code why) noexcept {
+        const al_status lost{.state = al_state::safe_op, .error = true, .code = why};
+        esc_.store(esc_registers::al_status, lost);
+        mailbox_.set_state(lost.state);
+    }
+
     void change_state() noexcept {
         const auto control = esc_.load(esc_registers::al_control);
         auto changed = status();
@@ -124,12 +167,21 @@ class slave {
             return mailbox_.is_configured(esc_) ? al_status_code::none : al_status_code::mailbox_pre_op;
         case al_state::safe_op:
             if (from == al_state::init) return al_status_code::invalid_state_change;
-            return from == al_state::op ? al_status_code::none : process_data_.refusal(esc_);
+            if (from == al_state::op) return al_status_code::none;
+            if (needs_sync() && !makes_sync0()) return al_status_code::dc_sync_configuration;
+            return process_data_.refusal(esc_);
         case al_state::op:
             if (from != al_state::safe_op && from != al_state::op) return al_status_code::invalid_state_change;
+            if (needs_sync() && (!makes_sync0() || esc_.clock().activation_status().sync0_pending))
+                return al_status_code::no_sync;
             return process_data_.refusal(esc_);
         }
         return al_status_code::unknown_state;
+    }
+
+    [[nodiscard]] bool needs_sync() const noexcept { return description_.needs_sync && esc_.has_clock(); }
+    [[nodiscard]] bool makes_sync0() const noexcept {
+        return esc_.clock().activation().on && esc_.clock().activation().sync0;
     }
 
     void access_sii() noexcept {
@@ -153,6 +205,7 @@ class slave {
     sii_image sii_;
     slave_process_data process_data_;
     esc esc_{};
+    std::uint64_t sync0_count_{};
 };
 
 } // namespace jauscat::ethercat

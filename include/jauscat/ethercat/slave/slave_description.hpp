@@ -3,6 +3,7 @@
 #pragma once
 
 #include <jauscat/ethercat/slave/pdo_entry.hpp>
+#include <jauscat/ethercat/slave/slave_clock.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +32,11 @@ struct slave_description {
     std::string_view hardware_version{}; ///< object 1009h; empty: it has none
     std::string_view software_version{}; ///< object 100Ah; empty: it has none
     bool synchronization{};              ///< with process data: it has objects 1C32h and 1C33h, which say free run
+    clock_width clock{}; ///< whether it has a distributed clock, which needs `slave::pass` with the time
+    /// With outputs: after so many SYNC0 in a row that found no new outputs, it leaves OP (001Ah); 0: never.
+    std::uint16_t sync_missed_limit{};
+    /// SAFE-OP is refused unless SYNC0 is on (0030h), and OP until its first one has come (002Dh).
+    bool needs_sync{};
 
     /// Whether it has any.
     [[nodiscard]] constexpr bool has_process_data() const noexcept { return !outputs.empty() || !inputs.empty(); }

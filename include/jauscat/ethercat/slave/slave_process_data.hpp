@@ -26,7 +26,9 @@ class slave_process_data {
 
     void power_on(esc_memory& memory) noexcept {
         in_force_.fill(std::byte{});
-        taken_over_ = fed_ = false;
+        taken_over_ = fed_ = is_fresh_ = false;
+        sync_missed_ = 0;
+        missed_in_row_ = 0;
         enter(memory, al_state::init);
     }
 
@@ -46,14 +48,15 @@ class slave_process_data {
         const bool shut = state != al_state::safe_op && state != al_state::op;
         if (!outputs_.none) memory.disable(manager_numbers::outputs, shut);
         if (!inputs_.none) memory.disable(manager_numbers::inputs, shut);
-        if (state == al_state::op) fed_ = true; // the watchdog begins to wait now
+        if (state == al_state::op) fed_ = is_fresh_ = true; // the watchdog begins to wait now
+        missed_in_row_ = 0;
         show_watchdog(memory, true);
     }
 
     /// A frame has passed.
     void work(esc_memory& memory, al_state state) noexcept {
         if (!memory.take_written(manager_numbers::outputs) || outputs_.none) return;
-        fed_ = true;
+        fed_ = is_fresh_ = true;
         if (state != al_state::op) return;
         std::ranges::copy(memory.bytes(outputs_.start, outputs_.size), in_force_.begin());
         taken_over_ = true;
@@ -80,6 +83,17 @@ class slave_process_data {
         return true;
     }
 
+    /// In OP so many SYNC0 have come since the last call. Each needs outputs that were written since the one before.
+    void on_sync0(std::uint64_t count) noexcept {
+        if (count == 0 || outputs_.none) return;
+        const auto missed = count - (std::exchange(is_fresh_, false) ? 1 : 0);
+        missed_in_row_ = missed == count ? missed_in_row_ + missed : missed;
+        sync_missed_ += missed;
+    }
+    /// SYNC0s that found no new outputs, in OP: since power-on, and since the last ones that did.
+    [[nodiscard]] std::uint64_t sync_missed() const noexcept { return sync_missed_; }
+    [[nodiscard]] std::uint64_t missed_in_row() const noexcept { return missed_in_row_; }
+
   private:
     struct area {
         std::uint16_t start{};
@@ -102,6 +116,8 @@ class slave_process_data {
     std::array<std::byte, process_memory::max_outputs> in_force_{};
     bool taken_over_{}; // and the application has not looked yet
     bool fed_{};        // the watchdog's time of the last check
+    bool is_fresh_{};   // outputs have been written since the last SYNC0
+    std::uint64_t sync_missed_{}, missed_in_row_{};
     time_point last_{};
 };
 

@@ -11,6 +11,9 @@
 
 namespace jauscat::ethercat {
 
+/// Size of the times of a slave's clock.
+enum class clock_width : std::uint8_t { no_clock, bits_32, bits_64 };
+
 struct dc_receive_times;
 struct dc_time;
 struct dc_time_32;
