@@ -3,6 +3,7 @@
 
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
+#include <jauscat/ethercat/master/clock_setup.hpp>
 #include <jauscat/ethercat/master/datagram_exchange.hpp>
 #include <jauscat/ethercat/master/jobs.hpp>
 #include <jauscat/ethercat/master/mailbox_exchange.hpp>
@@ -15,6 +16,7 @@
 #include <jauscat/ethercat/master/slave_check.hpp>
 #include <jauscat/ethercat/master/slave_list.hpp>
 #include <jauscat/ethercat/master/state_change.hpp>
+#include <jauscat/ethercat/master/sync_setup.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -320,11 +322,32 @@ template <> class job_machine<exchange_datagram> : public detail::plain_machine<
     [[nodiscard]] std::uint16_t value() const noexcept { return steps_.working_counter(); }
 };
 
+template <> class job_machine<set_up_clocks> : public detail::plain_machine<clock_setup> {
+  public:
+    [[nodiscard]] master_error begin(const set_up_clocks& job, ring_knowledge&, const master_config&) noexcept {
+        steps_ = clock_setup{job};
+        if (job.slaves.empty()) return {.code = master_errc::no_clock};
+        return {};
+    }
+    [[nodiscard]] const clock_network& value() const noexcept { return steps_.network(); }
+};
+
+template <> class job_machine<start_sync> : public detail::plain_machine<sync_setup> {
+  public:
+    [[nodiscard]] master_error begin(const start_sync& job, ring_knowledge&, const master_config&) noexcept {
+        steps_ = sync_setup{job};
+        if (!steps_.has_reference()) return {.code = master_errc::no_clock};
+        return {};
+    }
+    [[nodiscard]] std::uint64_t value() const noexcept { return steps_.start(); }
+};
+
 /// The machine of the job that runs, or of the last one; none before the first one.
 using any_job_machine =
     std::variant<std::monostate, job_machine<scan>, job_machine<bring_up>, job_machine<configure>,
                  job_machine<change_state>, job_machine<check>, job_machine<download>, job_machine<upload>,
                  job_machine<list_objects>, job_machine<describe_object>, job_machine<describe_entry>,
-                 job_machine<collect_emergencies>, job_machine<exchange_datagram>>;
+                 job_machine<collect_emergencies>, job_machine<exchange_datagram>, job_machine<set_up_clocks>,
+                 job_machine<start_sync>>;
 
 } // namespace jauscat::ethercat

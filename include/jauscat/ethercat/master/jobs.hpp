@@ -1,6 +1,7 @@
-// The master's jobs as types: what a job needs, and what it gives.
+// The master's jobs as types: what a job needs, and what it gives. clock_jobs.hpp has those for distributed clocks.
 #pragma once
 
+#include <jauscat/ethercat/master/clock_jobs.hpp>
 #include <jauscat/ethercat/master/master_errc.hpp>
 #include <jauscat/ethercat/master/object_descriptions.hpp>
 #include <jauscat/ethercat/master/sdo_options.hpp>

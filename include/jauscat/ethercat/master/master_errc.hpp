@@ -46,6 +46,11 @@ enum class master_errc : std::uint8_t {
     size_mismatch,     ///< more or less data than the slave announced, or not `upload_options::size`; bytes
     data_too_long,     ///< the data do not fit the buffer; bytes
     fragment_missing,  ///< a part of an answer in fragments did not come; fragments
+    no_clock,          ///< no slave has a distributed clock
+    clock_topology,    ///< the open ports and the order of the slaves make no tree with a clock at each branch; station
+    clock_delay,       ///< the delay to the slave cannot be true; station, nanoseconds
+    clock_unsettled,   ///< the slave's clock does not follow the reference clock; station, nanoseconds
+    sync_late,         ///< the signals were switched on only after the time at which they were to start
     no_space,          ///< the frame buffer is smaller than 1514 bytes
 };
 
@@ -87,6 +92,13 @@ enum class master_errc : std::uint8_t {
     case master_errc::size_mismatch: return "the size announced and the data received differ: do not use the data";
     case master_errc::data_too_long: return "the object does not fit the buffer: give a larger one";
     case master_errc::fragment_missing: return "a part of the slave's answer is missing: ask again";
+    case master_errc::no_clock: return "no slave has a distributed clock: run without one";
+    case master_errc::clock_topology:
+        return "the slave's place in the tree is not known: check IN and OUT, and that slaves with branches have "
+               "clocks";
+    case master_errc::clock_delay: return "the delay to the slave is not plausible: check IN and OUT of its cables";
+    case master_errc::clock_unsettled: return "the slave's clock stays off the reference: allow more frames";
+    case master_errc::sync_late: return "the start time passed before SYNC was on: allow more lead";
     case master_errc::no_space: return "the frame buffer is too small: give 1514 bytes";
     }
     return "unknown error";
@@ -99,7 +111,7 @@ struct master_error {
     sdo_specifier specifier{};        ///< of the answer
     mailbox_error_code mailbox{};     ///< the slave's reason
     al_status_code al_status{};       ///< the slave's reason
-    std::uint16_t station{};          ///< station address that no slave has
+    std::uint16_t station{};          ///< station address that no slave has, or of the slave with the clock
     std::uint16_t working_counter{};  ///< of the command: how many slaves have executed it
     std::uint16_t slaves{};           ///< slaves in the ring
     std::uint16_t fmmus{};            ///< FMMUs that the process data need
@@ -109,7 +121,8 @@ struct master_error {
     std::uint32_t product{};          ///< product code of the slave
     std::uint32_t sii_word{};         ///< word address in the SII
     std::uint32_t bytes{}; ///< image_full: of the process data; size_mismatch: announced; data_too_long: of the buffer
-    std::uint32_t fragments{}; ///< fragments that should have been left
+    std::uint32_t nanoseconds{}; ///< clock_delay: of the cable; clock_unsettled: from the reference clock
+    std::uint32_t fragments{};   ///< fragments that should have been left
 
     friend constexpr bool operator==(const master_error&, const master_error&) = default;
 };
