@@ -1,0 +1,408 @@
+// One axis: the way of its states, targets within limits, and what brings it to rest.
+#include "cia402/plain_drive.hpp"
+#include "support/catch.hpp"
+
+#include <vector>
+
+using namespace jauscat;
+using namespace jauscat::cia402;
+using namespace std::chrono_literals;
+
+namespace {
+
+using test::plain_drive;
+
+/// An axis and its drive on a bus of 1 ms.
+struct rig {
+    plain_drive drive{};
+    axis mine{};
+    time_point now{};
+
+    constexpr rig() = default;
+    explicit constexpr rig(const axis_options& options) : mine{options} {}
+
+    constexpr void cycle(int count = 1) {
+        for (int i = 0; i != count; ++i) {
+            now += 1ms;
+            drive.take(mine.on_cycle(drive.feedback, now));
+        }
+    }
+    constexpr bool enable(mode m) {
+        mine.set_mode(m);
+        const bool taken = mine.enable().has_value();
+        cycle(6);
+        return taken && mine.state() == axis_state::enabled;
+    }
+    /// The drive is where it was told to be.
+    constexpr void follow(int count) {
+        for (int i = 0; i != count; ++i) {
+            cycle();
+            drive.feedback.position = mine.targets().position;
+            drive.feedback.velocity = mine.targets().velocity;
+        }
+    }
+};
+
+constexpr axis_options slow{.max_velocity = 1000, .acceleration = 10'000, .deceleration = 10'000, .standstill = 0};
+
+} // namespace
+
+TEST_CASE("an axis is enabled by one command for each observed status") {
+    rig r;
+    r.mine.set_mode(mode::cyclic_synchronous_velocity);
+    CHECK(r.mine.state() == axis_state::unknown);
+    r.cycle();
+    CHECK(r.mine.state() == axis_state::disabled);
+    REQUIRE(r.mine.enable());
+    std::vector<int> words;
+    for (int i = 0; i != 5; ++i) {
+        r.cycle();
+        words.push_back(r.mine.targets().controlword);
+    }
+    CHECK(words == std::vector{0x06, 0x07, 0x0F, 0x0F, 0x0F});
+    CHECK(r.mine.state() == axis_state::enabled);
+}
+
+TEST_CASE("an axis is enabled at compile time too") {
+    STATIC_REQUIRE([] {
+        rig r;
+        return r.enable(mode::cyclic_synchronous_position) && r.mine.move_to(1000).has_value() &&
+               (r.follow(100), r.mine.is_target_reached()) && r.drive.feedback.position == 1000;
+    }());
+}
+
+TEST_CASE("a drive that does not take the next state fails the axis in time") {
+    rig r;
+    r.drive.stuck = true;
+    r.mine.set_mode(mode::cyclic_synchronous_velocity);
+    REQUIRE(r.mine.enable());
+    r.cycle(2000);
+    CHECK(r.mine.state() == axis_state::enabling);
+    r.cycle(2);
+    CHECK(r.mine.state() == axis_state::failed);
+    CHECK(r.mine.error() == axis_error{axis_errc::step_timeout, state::switch_on_disabled});
+    CHECK(r.mine.enable().error() == axis_errc::has_failed);
+}
+
+TEST_CASE("a cyclic position starts where the axis is, until the drive follows") {
+    rig r;
+    r.drive.feedback.position = 123'456;
+    r.drive.bits = 0; // operation enabled, but bit 12 is not set
+    r.mine.set_mode(mode::cyclic_synchronous_position);
+    REQUIRE(r.mine.enable());
+    for (int i = 0; i != 20; ++i) {
+        r.cycle();
+        CHECK(r.mine.targets().position == r.drive.feedback.position);
+        ++r.drive.feedback.position; // somebody moves it
+    }
+    CHECK(r.mine.state() == axis_state::enabling);
+    CHECK(r.mine.move_to(0).error() == axis_errc::not_enabled);
+    r.drive.bits = status_bits::follows_target;
+    r.cycle(2);
+    CHECK(r.mine.state() == axis_state::enabled);
+    CHECK(std::abs(r.mine.targets().position - r.drive.feedback.position) <= 1);
+}
+
+TEST_CASE("a drive that never follows fails the axis") {
+    rig r;
+    r.drive.bits = 0;
+    r.mine.set_mode(mode::cyclic_synchronous_position);
+    REQUIRE(r.mine.enable());
+    r.cycle(2010);
+    CHECK(r.mine.error().code == axis_errc::not_following);
+    CHECK(r.drive.state != state::operation_enabled);
+}
+
+TEST_CASE("a cyclic position moves within the limits and ends exactly") {
+    auto options = slow;
+    options.min_position = -500;
+    options.max_position = 500;
+    rig r{options};
+    REQUIRE(r.enable(mode::cyclic_synchronous_position));
+    const auto accepted = r.mine.move_to(9999);
+    REQUIRE(accepted);
+    CHECK(*accepted == acceptance::limited);
+    double fastest = 0, before = 0, last_velocity = 0;
+    for (int i = 0; i != 1000; ++i) {
+        r.follow(1);
+        const double velocity = r.mine.targets().position - before;
+        before = r.mine.targets().position;
+        fastest = std::max(fastest, velocity);
+        CHECK(std::abs(r.mine.targets().velocity - last_velocity) <= 12); // 10 a cycle, and rounding
+        last_velocity = r.mine.targets().velocity;
+    }
+    CHECK(fastest <= 2); // 1 an ms, rounded
+    CHECK(r.mine.targets().position == 500);
+    CHECK(r.mine.is_target_reached());
+}
+
+TEST_CASE("a cyclic velocity follows a ramp, and stops before a position limit") {
+    auto options = slow;
+    options.max_position = 1000;
+    rig r{options};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    REQUIRE(r.mine.run_at(800));
+    r.cycle();
+    CHECK(r.mine.targets().velocity == 10);
+    r.cycle(100);
+    CHECK(r.mine.targets().velocity == 800);
+    double at = 0;
+    for (int i = 0; i != 3000; ++i) {
+        r.cycle();
+        at += r.mine.targets().velocity / 1000.0;
+        r.drive.feedback.position = static_cast<int>(at);
+    }
+    CHECK(r.mine.targets().velocity == 0);
+    CHECK(at > 990);
+    CHECK(at <= 1001);
+    REQUIRE(r.mine.run_at(-100));
+    r.cycle(50);
+    CHECK(r.mine.targets().velocity == -100); // inwards
+}
+
+TEST_CASE("a torque is limited, follows its slope, and does not push out of the range") {
+    rig r{{.max_position = 100, .max_torque = 500, .torque_slope = 10'000}};
+    REQUIRE(r.enable(mode::cyclic_synchronous_torque));
+    const auto accepted = r.mine.push_with(900);
+    REQUIRE(accepted);
+    CHECK(*accepted == acceptance::limited);
+    r.cycle();
+    CHECK(r.mine.targets().torque == 10);
+    r.cycle(60);
+    CHECK(r.mine.targets().torque == 500);
+    r.drive.feedback.position = 100;
+    r.cycle(60);
+    CHECK(r.mine.targets().torque == 0);
+}
+
+TEST_CASE("disable brings the axis to rest by ramp before it takes the torque away") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    REQUIRE(r.mine.run_at(500));
+    r.follow(60);
+    r.mine.disable();
+    r.follow(20);
+    CHECK(r.mine.state() == axis_state::stopping);
+    CHECK(r.drive.state == state::operation_enabled);
+    CHECK(r.mine.targets().velocity == 300);
+    r.follow(40);
+    CHECK(r.drive.state == state::switch_on_disabled);
+    CHECK(r.mine.state() == axis_state::disabled);
+    CHECK(r.mine.run_at(1).error() == axis_errc::not_enabled);
+}
+
+TEST_CASE("a ramp that does not bring the axis to rest in time ends in a quick stop") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    REQUIRE(r.mine.run_at(500));
+    r.follow(60);
+    r.mine.disable();
+    r.cycle(2010); // the drive goes on turning
+    CHECK(r.drive.state == state::quick_stop_active);
+}
+
+TEST_CASE("quick stop goes out in the same cycle") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    REQUIRE(r.mine.run_at(500));
+    r.follow(60);
+    r.mine.quick_stop();
+    r.cycle();
+    CHECK(r.mine.targets().controlword == 0x02);
+    CHECK(r.mine.targets().velocity == 0);
+    CHECK(r.drive.state == state::quick_stop_active);
+    r.cycle(10);
+    CHECK(r.drive.state == state::quick_stop_active); // the drive decides when it leaves
+    CHECK(r.mine.state() == axis_state::stopping);
+    r.drive.feedback.velocity = 0;
+    REQUIRE(r.mine.enable());
+    r.cycle(8);
+    CHECK(r.mine.state() == axis_state::enabled);
+    CHECK(r.mine.targets().velocity == 0); // the old target is gone
+}
+
+TEST_CASE("halt brings the axis to rest and keeps it enabled") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    REQUIRE(r.mine.run_at(500));
+    r.follow(60);
+    r.mine.halt(true);
+    r.follow(60);
+    CHECK(r.mine.targets().velocity == 0);
+    CHECK(r.drive.state == state::operation_enabled);
+    CHECK(r.mine.run_at(1).error() == axis_errc::not_enabled);
+    r.mine.halt(false);
+    r.follow(60);
+    CHECK(r.mine.targets().velocity == 0);
+}
+
+TEST_CASE("halt sets its bit in profile modes") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::profile_velocity));
+    REQUIRE(r.mine.run_at(500));
+    r.cycle();
+    CHECK(r.mine.targets().velocity == 500);
+    CHECK((r.mine.targets().controlword & control_bits::halt) == 0);
+    r.mine.halt(true);
+    r.cycle();
+    CHECK((r.mine.targets().controlword & control_bits::halt) != 0);
+}
+
+TEST_CASE("a fault is reported with its code and reset by the edge of its bit") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    REQUIRE(r.mine.run_at(500));
+    r.follow(60);
+    r.drive.fail(error_codes::over_current);
+    r.cycle();
+    CHECK(r.mine.error() == axis_error{axis_errc::drive_fault, state::fault, error_codes::over_current});
+    CHECK(r.mine.targets().velocity == 0);
+    r.cycle(1000);
+    CHECK(r.drive.state == state::fault); // not by itself
+    r.mine.reset();
+    CHECK(r.mine.state() == axis_state::resetting);
+    r.drive.stuck = true;
+    r.drive.feedback.error_code = 0;
+    std::vector<int> lengths{0}; // of the times with the same word
+    int word = 0;
+    while (r.mine.state() == axis_state::resetting && lengths.size() < 20) {
+        r.cycle();
+        if (const int next = r.mine.targets().controlword; next != word) {
+            word = next;
+            lengths.push_back(0);
+        }
+        ++lengths.back();
+    }
+    REQUIRE(lengths.size() == 7); // 0, 80h, three times, and 0 again
+    for (const int each : {0, 1, 2, 3, 4, 5}) CHECK(lengths[static_cast<std::size_t>(each)] >= 50);
+    CHECK(r.mine.error().code == axis_errc::reset_refused);
+    r.drive.stuck = false;
+    r.mine.reset();
+    r.cycle(60);
+    CHECK(r.drive.state == state::switch_on_disabled);
+    CHECK(r.mine.error() == axis_error{});
+    CHECK(r.mine.state() == axis_state::disabled); // enabled again only on request
+}
+
+TEST_CASE("a drive that leaves operation enabled by itself fails the axis") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    r.drive.state = state::switch_on_disabled;
+    r.drive.show();
+    r.cycle();
+    CHECK(r.mine.error() == axis_error{axis_errc::enable_lost, state::switch_on_disabled});
+    r.cycle(100);
+    CHECK(r.drive.state == state::switch_on_disabled);
+}
+
+TEST_CASE("lost inputs fail the axis, and nothing moves when they come back") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    REQUIRE(r.mine.run_at(500));
+    r.follow(60);
+    const auto& targets = r.mine.on_lost();
+    CHECK(targets.controlword == 0x02);
+    CHECK(targets.velocity == 0);
+    CHECK(r.mine.error().code == axis_errc::inputs_lost);
+    r.cycle(100);
+    CHECK(r.drive.state == state::quick_stop_active);
+    CHECK(r.mine.targets().velocity == 0);
+    CHECK(r.mine.state() == axis_state::failed);
+    r.mine.reset();
+    r.drive.feedback.velocity = 0;
+    REQUIRE(r.mine.enable());
+    r.cycle(8);
+    CHECK(r.mine.state() == axis_state::enabled);
+}
+
+TEST_CASE("a mode is switched as fast as the axis moves, and waits for the drive's display") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    REQUIRE(r.mine.run_at(500));
+    r.follow(60);
+    const auto at = r.drive.feedback.position = 7000;
+    r.mine.set_mode(mode::cyclic_synchronous_position);
+    r.cycle();
+    CHECK(r.mine.targets().mode == mode::cyclic_synchronous_position);
+    CHECK(r.mine.targets().velocity == 500);
+    CHECK(r.mine.targets().position == at);
+    CHECK(r.mine.state() == axis_state::enabling);
+    r.follow(100);
+    CHECK(r.mine.state() == axis_state::enabled);
+    CHECK(r.mine.targets().velocity == 0);
+    CHECK(r.mine.targets().position > at); // the way of the ramp
+    CHECK(r.mine.targets().position < at + 50);
+}
+
+TEST_CASE("a mode that the drive does not have fails the axis") {
+    rig r{slow};
+    r.mine.set_mode(mode::interpolated_position);
+    REQUIRE(r.mine.enable());
+    for (int i = 0; i != 2010; ++i) {
+        r.cycle();
+        r.drive.feedback.mode = mode::none;
+    }
+    CHECK(r.mine.error().code == axis_errc::mode_refused);
+    CHECK(r.drive.state != state::operation_enabled);
+}
+
+TEST_CASE("a set-point of profile position is handed over by its handshake") {
+    rig r{slow};
+    r.drive.bits = 0;
+    REQUIRE(r.enable(mode::profile_position));
+    REQUIRE(r.mine.move_to(4000));
+    r.cycle();
+    CHECK(r.mine.targets().position == 4000);
+    CHECK(r.mine.targets().profile_velocity == 1000);
+    CHECK((r.mine.targets().controlword & control_bits::new_set_point) != 0);
+    r.cycle(5);
+    CHECK((r.mine.targets().controlword & control_bits::new_set_point) != 0); // until it is acknowledged
+    r.drive.bits = status_bits::set_point_acknowledged;
+    r.cycle(2);
+    CHECK((r.mine.targets().controlword & control_bits::new_set_point) == 0);
+    REQUIRE(r.mine.move_to(5000));
+    r.cycle(3);
+    CHECK((r.mine.targets().controlword & control_bits::new_set_point) == 0); // the drive has not released the last
+    r.drive.bits = status_bits::target_reached;
+    r.cycle(3);
+    CHECK((r.mine.targets().controlword & control_bits::new_set_point) != 0);
+    CHECK(r.mine.targets().position == 5000);
+    CHECK(!r.mine.is_target_reached());
+}
+
+TEST_CASE("a set-point that the drive does not take fails the axis") {
+    rig r{slow};
+    r.drive.bits = 0;
+    REQUIRE(r.enable(mode::profile_position));
+    REQUIRE(r.mine.move_to(4000));
+    r.cycle(2010);
+    CHECK(r.mine.error().code == axis_errc::not_acknowledged);
+}
+
+TEST_CASE("homing ends by the drive's bits, not by those of an earlier one") {
+    rig r{slow};
+    r.drive.bits = status_bits::homing_attained | status_bits::target_reached;
+    REQUIRE(r.enable(mode::homing));
+    REQUIRE(r.mine.home());
+    r.cycle();
+    CHECK((r.mine.targets().controlword & control_bits::start_homing) != 0);
+    CHECK(!r.mine.is_homed());
+    r.drive.bits = 0;
+    r.cycle(10);
+    CHECK(!r.mine.is_homed());
+    r.drive.bits = status_bits::homing_attained | status_bits::target_reached;
+    r.cycle(3);
+    CHECK(r.mine.is_homed());
+    REQUIRE(r.mine.home());
+    r.drive.bits = status_bits::homing_error;
+    r.cycle(10);
+    CHECK(r.mine.error().code == axis_errc::homing_failed);
+}
+
+TEST_CASE("a target of another mode is refused") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    CHECK(r.mine.move_to(1).error() == axis_errc::wrong_mode);
+    CHECK(r.mine.push_with(1).error() == axis_errc::wrong_mode);
+    CHECK(r.mine.home().error() == axis_errc::wrong_mode);
+}
