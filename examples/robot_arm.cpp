@@ -5,6 +5,7 @@
 #include "support/arm_slave.hpp"
 #include "support/link_options.hpp"
 #include "support/mailbox_option.hpp"
+#include "support/node_options.hpp"
 #include "support/say.hpp"
 #include <jauscat/bridge/listed_objects.hpp>
 #include <jauscat/ethercat/slave/mapped_objects.hpp>

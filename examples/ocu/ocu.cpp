@@ -2,7 +2,8 @@
 // or sends any other message of the standard.
 #include "message_kinds/message_kinds.hpp"
 #include "operator_unit.hpp"
-#include "support/program.hpp"
+#include "support/node_options.hpp"
+#include <jauscat/jaus/component/command_rules.hpp>
 #include <jauscat/jaus/message/requested_fields.hpp>
 #include <jauscat/text/from_text.hpp>
 #include <jauscat/text/jaus.hpp>

@@ -1,9 +1,11 @@
 // The command line of the robot controller.
 #pragma once
 #include "support/link_options.hpp"
+#include "support/node_options.hpp"
 #include <jauscat/app/bridge_options.hpp>
 #include <jauscat/app/bus_options.hpp>
 #include <jauscat/app/node_options.hpp>
+#include <jauscat/jaus/message/message.hpp>
 
 #include <algorithm>
 #include <chrono>

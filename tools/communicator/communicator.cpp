@@ -3,11 +3,13 @@
 #include "message_kinds/message_kinds.hpp"
 #include "support/component_of.hpp"
 #include "support/message_event.hpp"
-#include "support/program.hpp"
+#include "support/node_options.hpp"
 #include "support/repeated_lines.hpp"
 #include "support/say.hpp"
 #include <jauscat/app/component.hpp>
+#include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/net/config/jaus_config.hpp>
+#include <jauscat/net/detail/endpoint_text.hpp>
 #include <jauscat/net/node/run_until.hpp>
 #include <jauscat/text/from_text.hpp>
 #include <jauscat/text/jaus.hpp>
