@@ -43,7 +43,7 @@ foreach(file IN LISTS pc_files)
 endforeach()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-foreach(tool communicator jausdump jauscat_esi)
+foreach(tool communicator jausdump jauscat_ecat jauscat_esi)
     if(TARGET ${tool})
         install(TARGETS ${tool} RUNTIME COMPONENT tools)
     endif()
