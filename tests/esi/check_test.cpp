@@ -98,6 +98,23 @@ TEST_CASE("a problem is reported with line and element") {
         CHECK(problem("<EtherCATInfo/>", rule) == "its parent is missing");
 }
 
+TEST_CASE("a device with process data alone needs no mailbox") {
+    auto slave = test::sample_slave;
+    slave.mailbox_out_size = slave.mailbox_in_size = 0;
+    static constexpr std::array inputs{ethercat::pdo_entry{0x6000, 1, 8, ethercat::data_types::unsigned8, "level"}};
+    slave.inputs = inputs;
+    const auto xml = esi::write_esi(esi::make_device(slave, test::sample_texts, {}, false));
+    const auto findings = esi::check_esi_text(xml, "sample.xml");
+    REQUIRE(findings);
+    for (const auto& each : *findings) {
+        INFO(each.what << ": " << each.problem);
+        CHECK(each.met());
+    }
+    CHECK(xml.find("<Mailbox") == xml.npos);
+    const auto with_dictionary = replaced(xml, "</GroupType>", "</GroupType><Profile><Dictionary/></Profile>");
+    CHECK(problem(with_dictionary, "Descriptions/Devices/Device/Mailbox").ends_with("<Device>: has no <Mailbox>"));
+}
+
 TEST_CASE("the mailbox must be the first two SyncManagers") {
     const std::string rule = "SyncManagers 0 and 1 are the mailbox";
     const auto xml = sample_esi();

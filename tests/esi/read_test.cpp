@@ -72,6 +72,46 @@ TEST_CASE("variants written by other tools are accepted") {
     CHECK(octets.objects[4].entries[1].bit_size == 224);
 }
 
+TEST_CASE("modes of a distributed clock are read, with defaults and with wrong values") {
+    const auto with = [](const std::string& content) {
+        return replaced(sample_esi(), "</Mailbox>",
+                        "</Mailbox><Dc UnknownFRMW=\"1\"><OpMode>" + content + "</OpMode></Dc>");
+    };
+    const auto only = *parse(with("<Name>DC</Name><AssignActivate>#x300</AssignActivate>"
+                                  "<CycleTimeSync0>2000</CycleTimeSync0><ShiftTimeSync0>-5</ShiftTimeSync0>"
+                                  "<CycleTimeSync1 Factor=\"-3\">7</CycleTimeSync1>"));
+    CHECK(only.clock_modes == std::vector<esi::clock_mode>{{.name = "DC",
+                                                            .assign_activate = 0x300,
+                                                            .cycle_time_0 = 2000,
+                                                            .shift_time_0 = -5,
+                                                            .cycle_time_1 = 7,
+                                                            .cycle_factor_1 = -3}});
+    CHECK(*parse(esi::write_esi(only)) == only);
+    const std::string named = "<Name>DC</Name><AssignActivate>#x300</AssignActivate>";
+    CHECK(complaint(with("<Name>DC</Name>")) == "<OpMode>: expected a <AssignActivate> in it");
+    CHECK(complaint(with(named + "<CycleTimeSync0 Factor=\"32768\">0</CycleTimeSync0>")) ==
+          "<CycleTimeSync0>: Factor=\"32768\", expected a number from -32768 to 32767");
+    CHECK(complaint(with(named + "<ShiftTimeSync1>soon</ShiftTimeSync1>")) ==
+          "<ShiftTimeSync1>: \"soon\", expected a number from -2147483648 to 2147483647");
+}
+
+TEST_CASE("a device without CoE, or without an offline dictionary, is read") {
+    const auto cut = [](std::string xml, const std::string& from, const std::string& to) {
+        const auto begin = xml.find(from), end = xml.find(to) + to.size();
+        return xml.erase(begin, end - begin);
+    };
+    const auto online = cut(sample_esi(), "<Profile>", "</Profile>");
+    const auto read = parse(online);
+    REQUIRE(read);
+    CHECK(read->has_coe);
+    CHECK(read->objects.empty());
+    const auto simple = parse(cut(online, "<Mailbox", "</Mailbox>"));
+    REQUIRE(simple);
+    CHECK(!simple->has_coe);
+    CHECK(simple->coe == esi::coe_features{});
+    CHECK(complaint(cut(sample_esi(), "<Mailbox", "</Mailbox>")) == "<Device>: expected a <Mailbox> in it");
+}
+
 TEST_CASE("text that is not an ESI document is reported as such") {
     CHECK(complaint("") == "not well-formed XML: No document element found");
     CHECK(complaint("<EtherCATInfo><Vendor></EtherCATInfo>").starts_with("not well-formed XML: "));

@@ -1,115 +1,23 @@
 // A slave rebuilt from an ESI file alone behaves as the one that was described: its SII byte for byte, and its answers
 // to the master for objects and subindices that are there and that are not.
+#include "esi/machine.hpp"
 #include "esi/sample.hpp"
 #include "support/catch.hpp"
 #include "support/hex.hpp"
-#include <jauscat/bridge/listed_objects.hpp>
 #include <jauscat/esi/check_esi.hpp>
 #include <jauscat/esi/emulated_device.hpp>
 #include <jauscat/esi/read_esi.hpp>
-#include <jauscat/ethercat/frame_builder.hpp>
-#include <jauscat/ethercat/frame_view.hpp>
-#include <jauscat/ethercat/master/master.hpp>
-#include <jauscat/ethercat/slave/loopback_link.hpp>
-#include <jauscat/ethercat/slave/mapped_objects.hpp>
-#include <jauscat/ethercat/slave/slave.hpp>
-#include <jauscat/net/link/run_master.hpp>
 #include <jauscat/translate/fixed_length.hpp>
 
 #include <map>
-#include <utility>
-#include <vector>
 
 using namespace jauscat;
 using namespace jauscat::ethercat;
+using test::machine;
 using test::sample_components;
 using test::sample_slave;
-using bytes = std::vector<std::byte>;
 
 namespace {
-
-/// Stores written data, and returns them. It accepts any data.
-class store {
-  public:
-    object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
-        const auto found = values_.find({index, subindex});
-        if (found == values_.end()) return {.error = abort_code::no_data};
-        if (found->second.size() > out.size()) return {.error = abort_code::exceeds_mailbox};
-        std::ranges::copy(found->second, out.begin());
-        return {.size = found->second.size()};
-    }
-    abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
-        values_[{index, subindex}].assign(data.begin(), data.end());
-        return abort_code::none;
-    }
-
-  private:
-    std::map<std::pair<std::uint16_t, std::uint8_t>, bytes> values_{};
-};
-
-/// A slave of that description and those objects, alone on a link with a master that has brought it up.
-class machine {
-  public:
-    machine(const slave_description& description, std::span<const bridging::object_description> components,
-            std::size_t transfer_size)
-        : memory_(transfer_size),
-          listed_{components, store_},
-          mapped_{description, listed_},
-          objects_{description, mapped_},
-          slave_{{slave{description, objects_, {.transfer_memory = memory_}}}} {
-        REQUIRE(net::run(link_, master_, bring_up{0, 0x1001}));
-    }
-
-    /// How a transfer ended, and the data of an upload.
-    struct answer {
-        master_error error{};
-        bytes data{};
-        friend bool operator==(const answer&, const answer&) = default;
-    };
-
-    answer upload(std::uint16_t index, std::uint8_t subindex) {
-        bytes data(2000);
-        const auto result = net::run(link_, master_, jauscat::ethercat::upload{0x1001, index, subindex, data});
-        data.resize(result ? result->size() : 0);
-        return {result.error(), data};
-    }
-    answer download(std::uint16_t index, std::uint8_t subindex, std::size_t size) {
-        const bytes data(size, std::byte{0x5A});
-        return {net::run(link_, master_, jauscat::ethercat::download{0x1001, index, subindex, data}).error(), {}};
-    }
-
-    /// What a master reads of the SII, 4 bytes at a time.
-    bytes read_sii(std::size_t size = sii_image{}.size()) {
-        bytes image;
-        for (std::uint32_t word = 0; word != size / 2; word += 2) {
-            bytes frame(max_frame_size);
-            frame_builder builder{frame, 1};
-            builder.add(command::bwr, 0, esc_registers::sii_owner.address, sii_owner{.force = true});
-            builder.add(command::bwr, 0, esc_registers::sii_owner.address, sii_owner{});
-            builder.add(command::bwr, 0, esc_registers::sii_control.address,
-                        sii_request{.cmd = sii_command::read, .address = word});
-            slave_[0].process(*builder.finish());
-            frame_builder fetch{frame, 2};
-            fetch.add(command::brd, 0, esc_registers::sii_control.address, wire::max_size<sii_access>);
-            slave_[0].process(*fetch.finish());
-            frame_view view;
-            REQUIRE(view.parse(frame));
-            const auto data = (*view.begin()).data;
-            image.insert(image.end(), data.begin() + 6, data.begin() + 10);
-        }
-        return image;
-    }
-
-  private:
-    bytes memory_;
-    store store_{};
-    jauscat::bridging::listed_objects listed_;
-    mapped_objects mapped_;
-    standard_objects objects_;
-    std::array<slave, 1> slave_;
-    loopback_link link_{slave_};
-    ethercat::master_for<16> master_{};
-};
 
 /// Sends the same requests to both machines; true if the answers are equal.
 template <class Table> void compare_machines(std::size_t transfer_size, const slave_description& slave = sample_slave) {

@@ -35,12 +35,25 @@ template <class Table = translation::seed_table> std::string sample_esi() {
     return esi::write_esi(sample_device<Table>());
 }
 
-/// The same slave with process data.
+/// Modes of a distributed clock.
+inline constexpr std::array sample_clock_modes{
+    ethercat::clock_mode{.name = "Free run", .description = "not synchronized"},
+    ethercat::clock_mode{.name = "DC",
+                         .description = "SYNC0 and SYNC1",
+                         .assign_activate = 0x700,
+                         .cycle_time_0 = 250'000,
+                         .shift_time_0 = -1000,
+                         .shift_time_1 = 2000,
+                         .cycle_factor_0 = 1,
+                         .cycle_factor_1 = -2}};
+
+/// The same slave with process data and a distributed clock.
 inline std::string sample_esi_with_pdos() {
     static constexpr std::array entries{ethercat::pdo_entry{0x7000, 1, 8, ethercat::data_types::unsigned8, "level"},
                                         ethercat::pdo_entry{.bits = 8}};
     auto slave = sample_slave;
     slave.outputs = slave.inputs = entries;
+    slave.clock_modes = sample_clock_modes;
     return esi::write_esi(sample_device(slave));
 }
 

@@ -40,13 +40,14 @@ class esi_checker : xml_source {
 
     std::vector<finding> check() {
         root_ = load();
-        for (const auto& each : requirements) look_for(each);
         const auto device = root_.child("Descriptions").child("Devices").child("Device");
-        check_mailbox(device);
+        has_mailbox_ = is_with_mailbox(device);
+        for (const auto& each : requirements) look_for(each);
+        if (has_mailbox_) check_mailbox(device);
         check_eeprom(device.child("Eeprom"));
         const auto objects = device.child("Profile").child("Dictionary").child("Objects");
         for (const auto& [index, name] : {std::pair{0x1000u, "device type"}, std::pair{0x1018u, "identity"}})
-            check_object(objects, index, name);
+            if (has_mailbox_) check_object(objects, index, name);
         check_order();
         check_reading();
         return std::move(findings_);
@@ -60,7 +61,18 @@ class esi_checker : xml_source {
         return node ? at(node) + what : std::string{parent_is_missing};
     }
 
+    // A device that has SyncManagers for process data alone, and nothing else that needs a mailbox, has none.
+    static bool is_with_mailbox(pugi::xml_node device) {
+        if (!device || device.child("Mailbox") || device.child("Profile").child("Dictionary")) return true;
+        const auto managers = device.children("Sm");
+        return managers.empty() || std::ranges::any_of(managers, [](pugi::xml_node each) {
+                   const std::string_view use = each.text().get();
+                   return use != "Outputs" && use != "Inputs";
+               });
+    }
+
     void look_for(const requirement& wanted) {
+        if (wanted.where == needed::with_mailbox && !has_mailbox_) return;
         std::vector<pugi::xml_node> parents{root_};
         auto rest = wanted.path;
         for (auto slash = rest.find('/'); slash != rest.npos; slash = rest.find('/')) {
@@ -72,7 +84,7 @@ class esi_checker : xml_source {
             parents = std::move(next);
         }
         findings_.push_back({std::string{wanted.path}, std::string{wanted.reason},
-                             parents.empty() && !wanted.if_parent
+                             parents.empty() && wanted.where != needed::in_parent
                                  ? std::string{parent_is_missing}
                                  : problem_in(parents, std::string{rest}, wanted.holds)});
     }
@@ -192,6 +204,7 @@ class esi_checker : xml_source {
     std::string_view text_;
     std::string name_;
     pugi::xml_node root_{};
+    bool has_mailbox_{};
     std::vector<finding> findings_{};
 };
 

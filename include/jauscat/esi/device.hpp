@@ -103,6 +103,21 @@ struct eeprom {
     friend bool operator==(const eeprom&, const eeprom&) = default;
 };
 
+/// A mode of synchronization by the distributed clock (Dc/OpMode).
+struct clock_mode {
+    std::string name{};              ///< by which a tool offers it
+    std::string description{};       ///< for display; may be empty
+    std::uint16_t assign_activate{}; ///< registers 0980h and 0981h; 0: not synchronized by the clock
+    std::uint32_t cycle_time_0{};    ///< ns, of SYNC0; 0: `cycle_factor_0` times the cycle of the bus
+    std::int32_t shift_time_0{};     ///< ns, of SYNC0
+    std::uint32_t cycle_time_1{};    ///< ns, of SYNC1; 0: `cycle_factor_1` times the cycle of SYNC0
+    std::int32_t shift_time_1{};     ///< ns, of SYNC1
+    std::int16_t cycle_factor_0{};   ///< of SYNC0
+    std::int16_t cycle_factor_1{};   ///< of SYNC1
+
+    friend bool operator==(const clock_mode&, const clock_mode&) = default;
+};
+
 struct device {
     std::uint32_t vendor_id{};                 ///< assigned by the EtherCAT Technology Group
     std::string vendor_name{};                 ///< for display
@@ -120,8 +135,10 @@ struct device {
     std::vector<sync_manager> sync_managers{}; ///< SyncManager 0 first
     std::vector<pdo> rx_pdos{};                ///< master to slave
     std::vector<pdo> tx_pdos{};                ///< slave to master
-    coe_features coe{};
-    esi::eeprom eeprom{}; ///< EEPROM of the SII
+    bool has_coe{true};                        ///< a mailbox with CoE; else no Mailbox or CoE element
+    coe_features coe{};                        ///< all false without CoE
+    std::vector<clock_mode> clock_modes{};     ///< the default first; empty: no Dc element
+    esi::eeprom eeprom{};                      ///< EEPROM of the SII
 
     friend bool operator==(const device&, const device&) = default;
 };

@@ -37,8 +37,8 @@ namespace jauscat::esi {
 /// An ESI does not state whether a read of the SII returns 4 or 8 bytes: the emulated slave returns 4.
 class emulated_device {
   public:
-    /// Throws `esi_error` for a device that cannot be emulated: with other PDOs than one of each direction, other
-    /// objects, other CoE features.
+    /// Throws `esi_error` for a device that cannot be emulated: with PDOs that can be changed, other SyncManagers,
+    /// other objects, other CoE features.
     explicit emulated_device(device what) : device_{std::move(what)} {
         read_description();
         for (const auto& each : device_.objects)
@@ -57,6 +57,7 @@ class emulated_device {
         compare(emulated.fmmus == device_.fmmus, "Fmmu", "these FMMUs");
         compare(emulated.sync_managers == device_.sync_managers, "Sm", "these SyncManagers");
         compare(emulated.coe == device_.coe, "CoE", "these features");
+        compare(emulated.clock_modes == device_.clock_modes, "Dc", "a cycle time of SYNC1");
         compare(emulated.eeprom == device_.eeprom, "Eeprom", "this memory");
         for (const auto& each : device_.objects)
             compare(std::ranges::find(emulated.objects, each) != emulated.objects.end(), "Object",
@@ -72,6 +73,8 @@ class emulated_device {
     [[nodiscard]] const ethercat::slave_description& description() const noexcept { return description_; }
     /// The objects of JAUS components.
     [[nodiscard]] std::span<const bridging::object_description> components() const noexcept { return components_; }
+    /// What its SII holds, byte for byte.
+    [[nodiscard]] ethercat::sii_image sii() const noexcept { return make_sii(description_); }
     /// Bytes of the largest object, for segmented transfers; 0 for a device without them.
     [[nodiscard]] std::size_t transfer_size() const noexcept {
         return device_.coe.segmented_sdo ? bridging::largest_subobject(components_) : 0;
@@ -84,29 +87,48 @@ class emulated_device {
     }
 
     void read_description() {
-        if (const auto count = device_.sync_managers.size(); count != 2 && count != 4)
+        const auto count = device_.sync_managers.size();
+        if (device_.has_coe && count != 2 && count != 4)
             fail(errc::cannot_be_emulated, "Sm", "expected two, the mailbox, or four, with outputs and inputs");
+        if (!device_.has_coe && count != 0 && count != 2)
+            fail(errc::cannot_be_emulated, "Sm", "expected two without a mailbox, outputs and inputs, or none");
         if (device_.eeprom.config_data.size() != ethercat::sii_configuration_checked)
             fail(errc::cannot_be_emulated, "ConfigData", "expected 14 bytes, words 0 to 6 of the SII");
         std::array<std::byte, wire::max_size<ethercat::sii_configuration>> words{};
         std::ranges::copy(device_.eeprom.config_data, words.begin());
         ethercat::sii_configuration configuration{};
         static_cast<void>(wire::decode(configuration, words));
-        const auto &out = device_.sync_managers[0], &in = device_.sync_managers[1];
         description_ = {.vendor = device_.vendor_id,
                         .product = device_.product_code,
                         .revision = device_.revision,
                         .serial = device_.serial,
                         .station_alias = configuration.station_alias,
-                        .mailbox_out_offset = out.start,
-                        .mailbox_out_size = out.default_size,
-                        .mailbox_in_offset = in.start,
-                        .mailbox_in_size = in.default_size,
+                        .mailbox_out_size = 0,
+                        .mailbox_in_size = 0,
                         .name = device_.name};
-        read_entries(device_.rx_pdos, outputs_);
-        read_entries(device_.tx_pdos, inputs_);
+        if (device_.has_coe) {
+            const auto &out = device_.sync_managers[0], &in = device_.sync_managers[1];
+            description_.mailbox_out_offset = out.start;
+            description_.mailbox_out_size = out.default_size;
+            description_.mailbox_in_offset = in.start;
+            description_.mailbox_in_size = in.default_size;
+        }
+        read_pdos(device_.rx_pdos, outputs_, output_parts_);
+        read_pdos(device_.tx_pdos, inputs_, input_parts_);
         description_.outputs = outputs_;
         description_.inputs = inputs_;
+        description_.output_parts = output_parts_;
+        description_.input_parts = input_parts_;
+        for (const auto& each : device_.clock_modes)
+            clock_modes_.push_back({.name = each.name,
+                                    .description = each.description,
+                                    .assign_activate = each.assign_activate,
+                                    .cycle_time_0 = each.cycle_time_0,
+                                    .shift_time_0 = each.shift_time_0,
+                                    .shift_time_1 = each.shift_time_1,
+                                    .cycle_factor_0 = each.cycle_factor_0,
+                                    .cycle_factor_1 = each.cycle_factor_1});
+        description_.clock_modes = clock_modes_;
         using namespace ethercat::standard_indices;
         description_.error_register = find_object(error_register) != nullptr;
         description_.hardware_version = hardware_ = text_of(hardware_version);
@@ -114,14 +136,17 @@ class emulated_device {
         description_.synchronization =
             find_object(output_synchronization) != nullptr || find_object(input_synchronization) != nullptr;
     }
-    static void read_entries(const std::vector<pdo>& pdos, std::vector<ethercat::pdo_entry>& into) {
-        for (const auto& each : pdos)
+    static void read_pdos(const std::vector<pdo>& pdos, std::vector<ethercat::pdo_entry>& into,
+                          std::vector<ethercat::pdo_part>& parts) {
+        for (const auto& each : pdos) {
+            parts.push_back({each.index, static_cast<std::uint16_t>(each.entries.size()), each.name});
             for (const auto& entry : each.entries)
                 into.push_back({.index = entry.index,
                                 .subindex = entry.subindex,
                                 .bits = entry.bits,
                                 .data_type = static_cast<std::uint8_t>(parse_data_type(entry.type)),
                                 .name = entry.name});
+        }
     }
     [[nodiscard]] const object* find_object(std::uint16_t index) const noexcept {
         const auto found = std::ranges::find(device_.objects, index, &object::index);
@@ -173,6 +198,8 @@ class emulated_device {
 
     device device_;
     std::vector<ethercat::pdo_entry> outputs_{}, inputs_{};
+    std::vector<ethercat::pdo_part> output_parts_{}, input_parts_{};
+    std::vector<ethercat::clock_mode> clock_modes_{};
     std::string hardware_{}, software_{};
     ethercat::slave_description description_{};
     std::deque<std::vector<bridging::sub_object>> entries_{}; // components_ refers to them

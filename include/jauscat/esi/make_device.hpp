@@ -53,9 +53,9 @@ inline std::string type_name(const ethercat::entry_info& entry) {
 
 inline bool is_mandatory(std::uint16_t index) {
     using namespace ethercat::standard_indices;
+    const bool mapping = index >= 0x1600 && index < 0x1C00;
     return index == device_type || index == identity || index == sync_manager_types || index == output_assignment ||
-           index == input_assignment || index == ethercat::pdo_indices::outputs ||
-           index == ethercat::pdo_indices::inputs;
+           index == input_assignment || mapping;
 }
 
 /// The standard objects and the mapped objects of a slave with this description.
@@ -90,23 +90,38 @@ inline std::vector<object> describe_standard_objects(const ethercat::slave_descr
     return made;
 }
 
-/// The PDO of a direction; none without entries.
-inline std::vector<pdo> describe_pdo(std::uint16_t index, const char* name, std::size_t manager,
-                                     std::span<const ethercat::pdo_entry> all) {
-    const auto entries = ethercat::pdo_contents(all);
-    if (entries.empty()) return {};
-    pdo made{.index = index,
-             .name = name,
-             .sync_manager = static_cast<std::uint8_t>(manager),
-             .fixed = true,
-             .mandatory = true};
-    for (const auto& each : entries)
-        made.entries.push_back({.index = each.index,
-                                .subindex = each.subindex,
-                                .bits = each.bits,
-                                .name = std::string{each.name},
-                                .type = std::string{each.index == 0 ? "" : data_type_name(each.data_type)}});
-    return {made};
+/// The PDOs of a direction.
+inline std::vector<pdo> describe_pdos(const ethercat::pdo_list& pdos, std::size_t manager) {
+    std::vector<pdo> all;
+    for (std::size_t i = 0; i != pdos.size(); ++i) {
+        const auto described = pdos[i];
+        all.push_back({.index = described.index,
+                       .name = std::string{described.name},
+                       .sync_manager = static_cast<std::uint8_t>(manager),
+                       .fixed = true,
+                       .mandatory = true});
+        for (const auto& each : described.entries)
+            all.back().entries.push_back({.index = each.index,
+                                          .subindex = each.subindex,
+                                          .bits = each.bits,
+                                          .name = std::string{each.name},
+                                          .type = std::string{each.index == 0 ? "" : data_type_name(each.data_type)}});
+    }
+    return all;
+}
+
+inline std::vector<clock_mode> describe_clock_modes(const ethercat::slave_description& slave) {
+    std::vector<clock_mode> all;
+    for (const auto& each : slave.clock_modes)
+        all.push_back({.name = std::string{each.name},
+                       .description = std::string{each.description},
+                       .assign_activate = each.assign_activate,
+                       .cycle_time_0 = each.cycle_time_0,
+                       .shift_time_0 = each.shift_time_0,
+                       .shift_time_1 = each.shift_time_1,
+                       .cycle_factor_0 = each.cycle_factor_0,
+                       .cycle_factor_1 = each.cycle_factor_1});
+    return all;
 }
 
 inline object describe_component(const bridging::object_description& component) {
@@ -131,7 +146,7 @@ inline object describe_component(const bridging::object_description& component) 
     return made;
 }
 
-/// SyncManagers 2 and 3, FMMUs and PDOs.
+/// SyncManagers of the process data, FMMUs and PDOs.
 inline void describe_process_data(device& made, const ethercat::slave_description& slave) {
     const auto add = [&](ethercat::sii_sync_manager_use use, std::uint16_t start, std::size_t size,
                          std::uint8_t control, const char* fmmu) {
@@ -146,20 +161,24 @@ inline void describe_process_data(device& made, const ethercat::slave_descriptio
         ethercat::manager_controls::outputs, "Outputs");
     add(ethercat::sii_sync_manager_use::inputs, ethercat::process_memory::inputs, slave.input_size(),
         ethercat::manager_controls::inputs, "Inputs");
-    made.rx_pdos =
-        describe_pdo(ethercat::pdo_indices::outputs, "Outputs", ethercat::manager_numbers::outputs, slave.outputs);
-    made.tx_pdos =
-        describe_pdo(ethercat::pdo_indices::inputs, "Inputs", ethercat::manager_numbers::inputs, slave.inputs);
+    made.rx_pdos = describe_pdos(slave.output_pdos(), slave.output_manager());
+    made.tx_pdos = describe_pdos(slave.input_pdos(), slave.input_manager());
 }
 
 } // namespace detail
 
+/// The content of the SII of the emulated slave of that description: standard_objects and the objects of components
+/// describe themselves.
+[[nodiscard]] constexpr ethercat::sii_image make_sii(const ethercat::slave_description& slave) noexcept {
+    return ethercat::make_sii_image(slave, {.sdo_information = true, .complete_access = true});
+}
+
 /// Describes the emulated slave of that description, with standard_objects and the objects in `components`.
-/// `segmented_sdo`: it has memory for segmented transfers (`coe_options::transfer_memory`).
+/// `segmented_sdo`: it has memory for segmented transfers (`coe_options::transfer_memory`). Without a mailbox a slave
+/// has no objects.
 inline device make_device(const ethercat::slave_description& slave, const device_texts& texts,
                           std::span<const bridging::object_description> components, bool segmented_sdo) {
-    // Both kinds of objects describe themselves.
-    const auto image = ethercat::make_sii_image(slave, {.sdo_information = true, .complete_access = true});
+    const auto image = make_sii(slave);
     device made{.vendor_id = slave.vendor,
                 .vendor_name = texts.vendor_name,
                 .group_type = texts.group_type,
@@ -169,20 +188,24 @@ inline device make_device(const ethercat::slave_description& slave, const device
                 .revision = slave.revision,
                 .serial = slave.serial,
                 .name = std::string{slave.name},
-                .objects = detail::describe_standard_objects(slave)};
-    for (const auto& each : components) made.objects.push_back(detail::describe_component(each));
-    made.sync_managers = {{.use = ethercat::sii_sync_manager_use::mailbox_out,
-                           .start = slave.mailbox_out_offset,
-                           .default_size = slave.mailbox_out_size,
-                           .control = ethercat::manager_controls::mailbox_out,
-                           .enabled = true},
-                          {.use = ethercat::sii_sync_manager_use::mailbox_in,
-                           .start = slave.mailbox_in_offset,
-                           .default_size = slave.mailbox_in_size,
-                           .control = ethercat::manager_controls::mailbox_in,
-                           .enabled = true}};
+                .has_coe = slave.has_mailbox(),
+                .clock_modes = detail::describe_clock_modes(slave)};
+    if (made.has_coe) {
+        made.objects = detail::describe_standard_objects(slave);
+        for (const auto& each : components) made.objects.push_back(detail::describe_component(each));
+        made.sync_managers = {{.use = ethercat::sii_sync_manager_use::mailbox_out,
+                               .start = slave.mailbox_out_offset,
+                               .default_size = slave.mailbox_out_size,
+                               .control = ethercat::manager_controls::mailbox_out,
+                               .enabled = true},
+                              {.use = ethercat::sii_sync_manager_use::mailbox_in,
+                               .start = slave.mailbox_in_offset,
+                               .default_size = slave.mailbox_in_size,
+                               .control = ethercat::manager_controls::mailbox_in,
+                               .enabled = true}};
+        made.coe = {.sdo_information = true, .complete_access = true, .segmented_sdo = segmented_sdo};
+    }
     if (slave.has_process_data()) detail::describe_process_data(made, slave);
-    made.coe = {.sdo_information = true, .complete_access = true, .segmented_sdo = segmented_sdo};
     made.eeprom.byte_size = static_cast<std::uint32_t>(image.size());
     made.eeprom.config_data.assign(image.begin(), image.begin() + ethercat::sii_configuration_checked);
     return made;

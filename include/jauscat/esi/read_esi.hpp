@@ -49,13 +49,10 @@ class esi_reader : xml_source {
         made.revision = number(type, "RevisionNo");
         if (type.attribute("SerialNo")) made.serial = number(type, "SerialNo");
         made.name = text(child(node, "Name"));
-        const auto profile = child(node, "Profile");
+        const auto profile = node.child("Profile");
         if (const auto no = profile.child("ProfileNo")) made.profile = static_cast<std::uint16_t>(number(no, 0xFFFF));
-        const auto dictionary = child(profile, "Dictionary");
-        types_ = child(dictionary, "DataTypes");
-        for (const auto each : child(dictionary, "Objects").children("Object"))
-            made.objects.push_back(read_object(each));
-        check_indices(dictionary, made.objects);
+        if (const auto dictionary = profile.child("Dictionary")) read_objects(made, dictionary);
+        made.has_coe = node.child("Mailbox").child("CoE") || !made.objects.empty();
         for (const auto each : node.children("Fmmu")) made.fmmus.emplace_back(each.text().get());
         for (const auto each : node.children("Sm")) {
             if (made.sync_managers.size() == max_sync_managers)
@@ -65,7 +62,8 @@ class esi_reader : xml_source {
         }
         for (const auto each : node.children("RxPdo")) made.rx_pdos.push_back(read_pdo(each));
         for (const auto each : node.children("TxPdo")) made.tx_pdos.push_back(read_pdo(each));
-        made.coe = read_coe(child(child(node, "Mailbox"), "CoE"));
+        if (made.has_coe) made.coe = read_coe(child(child(node, "Mailbox"), "CoE"));
+        for (const auto each : node.child("Dc").children("OpMode")) made.clock_modes.push_back(read_clock_mode(each));
         made.eeprom = read_eeprom(child(node, "Eeprom"));
         return made;
     }
@@ -73,6 +71,32 @@ class esi_reader : xml_source {
   private:
     static constexpr std::size_t max_sync_managers = 16; // registers 0800h to 087Fh
     static constexpr std::size_t max_pdo_entries = 255;  // subindices of its mapping object
+
+    void read_objects(device& made, pugi::xml_node dictionary) {
+        types_ = child(dictionary, "DataTypes");
+        for (const auto each : child(dictionary, "Objects").children("Object"))
+            made.objects.push_back(read_object(each));
+        check_indices(dictionary, made.objects);
+    }
+
+    clock_mode read_clock_mode(pugi::xml_node node) const {
+        clock_mode made{.name = text(child(node, "Name")),
+                        .description = node.child("Desc").text().get(),
+                        .assign_activate = static_cast<std::uint16_t>(number(child(node, "AssignActivate"), 0xFFFF))};
+        const auto read_sync = [&](const char* cycle_name, const char* shift_name, std::uint32_t& cycle,
+                                   std::int16_t& factor, std::int32_t& shift) {
+            if (const auto found = node.child(cycle_name)) {
+                cycle = number(found);
+                if (const auto by = found.attribute("Factor"))
+                    factor = integer_in<std::int16_t>(found, "Factor=", by.value());
+            }
+            if (const auto found = node.child(shift_name))
+                shift = integer_in<std::int32_t>(found, "", found.text().get());
+        };
+        read_sync("CycleTimeSync0", "ShiftTimeSync0", made.cycle_time_0, made.cycle_factor_0, made.shift_time_0);
+        read_sync("CycleTimeSync1", "ShiftTimeSync1", made.cycle_time_1, made.cycle_factor_1, made.shift_time_1);
+        return made;
+    }
 
     sync_manager read_sync_manager(pugi::xml_node node) const {
         const auto use = parse_sync_manager_use(node.text().get());

@@ -35,6 +35,16 @@ inline std::string hex_number(std::uint32_t value, std::size_t digits = 1) {
     return value;
 }
 
+/// The value of `-26` or `26`, if it is `min` to `max`.
+[[nodiscard]] inline std::optional<std::int32_t> parse_integer(std::string_view text, std::int32_t min,
+                                                               std::int32_t max) {
+    std::int32_t value{};
+    const auto* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || stop != end || value < min || value > max) return std::nullopt;
+    return value;
+}
+
 /// `true`, `false`, `1` or `0`.
 [[nodiscard]] inline std::optional<bool> parse_boolean(std::string_view text) {
     if (text == "true" || text == "1") return true;

@@ -63,17 +63,23 @@ class esi_writer {
         if (device_.serial != 0) set(type, "SerialNo", hex_number(device_.serial, 8));
         add_name(node, device_.name);
         add(node, "GroupType", device_.group_type);
-        const auto profile = add(node, "Profile");
-        add(profile, "ProfileNo", number(device_.profile));
-        const auto dictionary = add(profile, "Dictionary");
-        const auto types = add(dictionary, "DataTypes");
-        const auto objects = add(dictionary, "Objects");
-        for (const auto& what : device_.objects) put_object(types, objects, what);
+        if (device_.has_coe) {
+            const auto profile = add(node, "Profile");
+            add(profile, "ProfileNo", number(device_.profile));
+            const auto dictionary = add(profile, "Dictionary");
+            const auto types = add(dictionary, "DataTypes");
+            const auto objects = add(dictionary, "Objects");
+            for (const auto& what : device_.objects) put_object(types, objects, what);
+        }
         for (const auto& use : device_.fmmus) add(node, "Fmmu", use);
         for (const auto& manager : device_.sync_managers) put_sync_manager(node, manager);
         for (const auto& each : device_.rx_pdos) put_pdo(add(node, "RxPdo"), each);
         for (const auto& each : device_.tx_pdos) put_pdo(add(node, "TxPdo"), each);
-        put_mailbox(add(node, "Mailbox"));
+        if (device_.has_coe) put_mailbox(add(node, "Mailbox"));
+        if (!device_.clock_modes.empty()) {
+            const auto clock = add(node, "Dc");
+            for (const auto& each : device_.clock_modes) put_clock_mode(add(clock, "OpMode"), each);
+        }
         const auto memory = add(node, "Eeprom");
         add(memory, "ByteSize", number(device_.eeprom.byte_size));
         add(memory, "ConfigData", hex_bytes(device_.eeprom.config_data));
@@ -118,6 +124,19 @@ class esi_writer {
         put("PdoConfig", device_.coe.pdo_configuration);
         put("CompleteAccess", device_.coe.complete_access);
         put("SegmentedSdo", device_.coe.segmented_sdo);
+    }
+
+    static void put_clock_mode(pugi::xml_node node, const clock_mode& mode) {
+        const auto put_cycle = [node](const char* name, std::uint32_t time, std::int16_t factor) {
+            set(add(node, name, number(time)), "Factor", std::to_string(factor));
+        };
+        add(node, "Name", mode.name);
+        if (!mode.description.empty()) add(node, "Desc", mode.description);
+        add(node, "AssignActivate", hex_number(mode.assign_activate, 3));
+        put_cycle("CycleTimeSync0", mode.cycle_time_0, mode.cycle_factor_0);
+        add(node, "ShiftTimeSync0", std::to_string(mode.shift_time_0));
+        put_cycle("CycleTimeSync1", mode.cycle_time_1, mode.cycle_factor_1);
+        add(node, "ShiftTimeSync1", std::to_string(mode.shift_time_1));
     }
 
     void put_object(pugi::xml_node types, pugi::xml_node objects, const object& what) {

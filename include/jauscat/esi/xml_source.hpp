@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -98,6 +99,14 @@ class xml_source {
     }
     std::uint32_t number(pugi::xml_node node, const char* name, std::uint32_t max = 0xFFFFFFFF) const {
         return number_in(node, std::string{name} + '=', attribute(node, name).value(), max);
+    }
+    template <class Integer>
+    Integer integer_in(pugi::xml_node node, std::string_view where, std::string_view value) const {
+        constexpr auto min = std::numeric_limits<Integer>::min(), max = std::numeric_limits<Integer>::max();
+        if (const auto parsed = parse_integer(value, min, max)) return static_cast<Integer>(*parsed);
+        fail(errc::invalid_value, node,
+             std::string{where} + '"' + std::string{value} + "\", expected a number from " + std::to_string(min) +
+                 " to " + std::to_string(max));
     }
     bool boolean(pugi::xml_node node, const char* name) const {
         const auto found = node.attribute(name);

@@ -71,9 +71,9 @@ class sii_writer {
         put(sii_category_header{sii_category::general, wire::max_size<sii_general> / 2});
         put(sii_general{.order = 1,
                         .name = 1,
-                        .sdo = true,
-                        .sdo_information = coe_.sdo_information,
-                        .complete_access = coe_.complete_access,
+                        .sdo = slave_.has_mailbox(),
+                        .sdo_information = slave_.has_mailbox() && coe_.sdo_information,
+                        .complete_access = slave_.has_mailbox() && coe_.complete_access,
                         .ports = 0x0011});
         put(sii_category_header{sii_category::fmmu, 1});
         const auto outputs = slave_.outputs.empty() ? sii_fmmu_use::none : sii_fmmu_use::outputs;
@@ -81,10 +81,14 @@ class sii_writer {
         put_byte(static_cast<std::size_t>(outputs));
         put_byte(static_cast<std::size_t>(inputs));
         write_sync_managers();
-        std::size_t name = 4; // after the device's and the PDOs'
-        write_pdo(sii_category::tx_pdo, pdo_indices::inputs, manager_numbers::inputs, slave_.inputs, 3,
-                  name + pdo_contents(slave_.outputs).size());
-        write_pdo(sii_category::rx_pdo, pdo_indices::outputs, manager_numbers::outputs, slave_.outputs, 2, name);
+        const auto outs = slave_.output_pdos(), ins = slave_.input_pdos();
+        constexpr std::size_t first_pdo = 2; // strings: see write_strings
+        const auto first_mode = first_pdo + outs.size() + ins.size();
+        const auto first_entry = first_mode + 2 * modes().size();
+        write_pdos(sii_category::tx_pdo, slave_.input_manager(), ins, first_pdo + outs.size(),
+                   first_entry + pdo_contents(slave_.outputs).size());
+        write_pdos(sii_category::rx_pdo, slave_.output_manager(), outs, first_pdo, first_entry);
+        write_clock_modes(first_mode);
         put(sii_category_header{sii_category::end, 0});
         return room_.size() - rest_.size();
     }
@@ -100,16 +104,23 @@ class sii_writer {
         for (const char c : text) put_byte(static_cast<unsigned char>(c));
     }
 
-    static constexpr std::size_t pdo_size(std::size_t entries) noexcept {
-        if (entries == 0) return 0;
-        return wire::max_size<sii_category_header> + wire::max_size<sii_pdo> + entries * wire::max_size<sii_pdo_entry>;
+    // Bytes of the PDOs' category without its header.
+    static constexpr std::size_t size_of(const pdo_list& pdos) noexcept {
+        std::size_t size = pdos.size() * wire::max_size<sii_pdo>;
+        for (std::size_t i = 0; i != pdos.size(); ++i) size += pdos[i].entries.size() * wire::max_size<sii_pdo_entry>;
+        return size;
+    }
+    [[nodiscard]] constexpr std::span<const clock_mode> modes() const noexcept {
+        constexpr std::size_t max_modes = 8;
+        return slave_.clock_modes.first(std::min(slave_.clock_modes.size(), max_modes));
     }
 
-    // Strings 1: the slave, 2 and 3: its PDOs, then one for each entry, outputs first, while they fit.
+    // String 1: the slave; then one for each PDO, outputs first, two for each clock mode, and one for each entry,
+    // outputs first, while they fit.
     constexpr void write_strings() noexcept {
-        constexpr std::size_t others = 128; // general, FMMU, SyncM, the end, and headers
-        const auto reserved =
-            others + pdo_size(pdo_contents(slave_.outputs).size()) + pdo_size(pdo_contents(slave_.inputs).size());
+        constexpr std::size_t others = 144; // general, FMMU, SyncM, the end, and headers
+        const auto outs = slave_.output_pdos(), ins = slave_.input_pdos();
+        const auto reserved = others + size_of(outs) + size_of(ins) + modes().size() * wire::max_size<sii_clock_mode>;
         const auto head = rest_.first(wire::max_size<sii_category_header>);
         rest_ = rest_.subspan(head.size());
         const auto count = rest_.first(1);
@@ -122,11 +133,12 @@ class sii_writer {
             return true;
         };
         add(slave_.name.substr(0, 64));
-        if (slave_.has_process_data()) {
-            bool room = add("Outputs") && add("Inputs");
-            for (const auto entries : {pdo_contents(slave_.outputs), pdo_contents(slave_.inputs)})
-                for (const auto& each : entries) room = room && add(each.name); // an index is an entry's place
-        }
+        bool room = true; // after one that does not fit none is written: an index is a place
+        for (const auto& pdos : {outs, ins})
+            for (std::size_t i = 0; i != pdos.size(); ++i) room = room && add(pdos[i].name);
+        for (const auto& each : modes()) room = room && add(each.name) && add(each.description);
+        for (const auto entries : {pdo_contents(slave_.outputs), pdo_contents(slave_.inputs)})
+            for (const auto& each : entries) room = room && add(each.name);
         count.front() = static_cast<std::byte>(names_);
         if ((start - rest_.size()) % 2 != 0) put_byte(0);
         static_cast<void>(wire::encode(
@@ -135,18 +147,21 @@ class sii_writer {
 
     constexpr void write_sync_managers() noexcept {
         const bool process_data = slave_.has_process_data();
-        const std::size_t bytes = (process_data ? 4 : 2) * wire::max_size<sii_sync_manager>;
-        put(sii_category_header{sii_category::sync_manager, static_cast<std::uint16_t>(bytes / 2)});
-        put(sii_sync_manager{.start = slave_.mailbox_out_offset,
-                             .length = slave_.mailbox_out_size,
-                             .control = manager_controls::mailbox_out,
-                             .enable = 1,
-                             .use = sii_sync_manager_use::mailbox_out});
-        put(sii_sync_manager{.start = slave_.mailbox_in_offset,
-                             .length = slave_.mailbox_in_size,
-                             .control = manager_controls::mailbox_in,
-                             .enable = 1,
-                             .use = sii_sync_manager_use::mailbox_in});
+        const std::size_t count = (slave_.has_mailbox() ? 2 : 0) + (process_data ? 2 : 0);
+        put(sii_category_header{sii_category::sync_manager,
+                                static_cast<std::uint16_t>(count * wire::max_size<sii_sync_manager> / 2)});
+        if (slave_.has_mailbox()) {
+            put(sii_sync_manager{.start = slave_.mailbox_out_offset,
+                                 .length = slave_.mailbox_out_size,
+                                 .control = manager_controls::mailbox_out,
+                                 .enable = 1,
+                                 .use = sii_sync_manager_use::mailbox_out});
+            put(sii_sync_manager{.start = slave_.mailbox_in_offset,
+                                 .length = slave_.mailbox_in_size,
+                                 .control = manager_controls::mailbox_in,
+                                 .enable = 1,
+                                 .use = sii_sync_manager_use::mailbox_in});
+        }
         if (!process_data) return;
         const auto put_buffer = [&](std::uint16_t start, std::size_t size, std::uint8_t control,
                                     sii_sync_manager_use use) {
@@ -161,23 +176,41 @@ class sii_writer {
         put_buffer(process_memory::inputs, slave_.input_size(), manager_controls::inputs, sii_sync_manager_use::inputs);
     }
 
-    constexpr void write_pdo(sii_category category, std::uint16_t index, std::size_t manager,
-                             std::span<const pdo_entry> all, std::size_t name, std::size_t first_name) noexcept {
-        const auto entries = pdo_contents(all);
-        if (entries.empty()) return;
-        put(sii_category_header{category, static_cast<std::uint16_t>(
-                                              (pdo_size(entries.size()) - wire::max_size<sii_category_header>) / 2)});
-        put(sii_pdo{.index = index,
-                    .entries = static_cast<std::uint8_t>(entries.size()),
-                    .sync_manager = static_cast<std::uint8_t>(manager),
-                    .name = string_index(name),
-                    .flags = 0x0011}); // mandatory, and its contents are fixed
-        for (const auto& each : entries)
-            put(sii_pdo_entry{.index = each.index,
-                              .subindex = each.subindex,
-                              .name = string_index(first_name++),
-                              .data_type = each.data_type,
-                              .bits = each.bits});
+    constexpr void write_pdos(sii_category category, std::size_t manager, const pdo_list& pdos, std::size_t name,
+                              std::size_t entry_name) noexcept {
+        if (pdos.size() == 0) return;
+        put(sii_category_header{category, static_cast<std::uint16_t>(size_of(pdos) / 2)});
+        for (std::size_t i = 0; i != pdos.size(); ++i) {
+            const auto pdo = pdos[i];
+            put(sii_pdo{.index = pdo.index,
+                        .entries = static_cast<std::uint8_t>(pdo.entries.size()),
+                        .sync_manager = static_cast<std::uint8_t>(manager),
+                        .name = string_index(name++),
+                        .flags = 0x0011}); // mandatory, and its contents are fixed
+            for (const auto& each : pdo.entries)
+                put(sii_pdo_entry{.index = each.index,
+                                  .subindex = each.subindex,
+                                  .name = string_index(entry_name++),
+                                  .data_type = each.data_type,
+                                  .bits = each.bits});
+        }
+    }
+
+    constexpr void write_clock_modes(std::size_t name) noexcept {
+        if (modes().empty()) return;
+        put(sii_category_header{sii_category::dc,
+                                static_cast<std::uint16_t>(modes().size() * wire::max_size<sii_clock_mode> / 2)});
+        for (const auto& each : modes()) {
+            put(sii_clock_mode{.cycle_time_0 = each.cycle_time_0,
+                               .shift_time_0 = each.shift_time_0,
+                               .shift_time_1 = each.shift_time_1,
+                               .cycle_factor_1 = each.cycle_factor_1,
+                               .assign_activate = each.assign_activate,
+                               .cycle_factor_0 = each.cycle_factor_0,
+                               .name = string_index(name),
+                               .description = string_index(name + 1)});
+            name += 2;
+        }
     }
 
     [[nodiscard]] constexpr std::uint8_t string_index(std::size_t wanted) const noexcept {
@@ -193,8 +226,8 @@ class sii_writer {
 
 } // namespace detail
 
-/// The memory's contents: fixed words with checksum, and the categories strings, general, FMMU, SyncM and, with process
-/// data, TxPDO and RxPDO.
+/// The memory's contents: fixed words with checksum, and the categories strings, general, FMMU, SyncM; with process
+/// data TxPDO and RxPDO, with clock modes DC.
 [[nodiscard]] constexpr sii_image make_sii_image(const slave_description& slave,
                                                  const sii_coe_features& coe = {}) noexcept {
     sii_image image{};
@@ -212,11 +245,12 @@ class sii_writer {
     configuration.checksum = sii_checksum(whole.first(sii_configuration_checked));
     put_at(sii_words::configuration, configuration);
     put_at(sii_words::identity, sii_identity{slave.vendor, slave.product, slave.revision, slave.serial});
-    put_at(sii_words::mailbox, sii_mailbox{.receive_offset = slave.mailbox_out_offset,
-                                           .receive_size = slave.mailbox_out_size,
-                                           .send_offset = slave.mailbox_in_offset,
-                                           .send_size = slave.mailbox_in_size,
-                                           .coe = true});
+    if (slave.has_mailbox())
+        put_at(sii_words::mailbox, sii_mailbox{.receive_offset = slave.mailbox_out_offset,
+                                               .receive_size = slave.mailbox_out_size,
+                                               .send_offset = slave.mailbox_in_offset,
+                                               .send_size = slave.mailbox_in_size,
+                                               .coe = true});
     put_at(sii_words::size, sii_size{.kibit = static_cast<std::uint16_t>(image.size() * 8 / 1024 - 1), .version = 1});
     return image;
 }

@@ -16,7 +16,7 @@
 
 namespace jauscat::ethercat {
 
-/// SyncManagers 0 and 1, and the CoE server behind them.
+/// SyncManagers 0 and 1, and the CoE server behind them. Of a slave without a mailbox: nothing is expected of them.
 class slave_mailbox {
   public:
     /// Of the slave's mailbox areas, with a server of these objects behind them.
@@ -38,6 +38,7 @@ class slave_mailbox {
         last_counter_ = sent_counter_ = 0;
         replied_ = waiting_ = continued_ = going_back_ = false;
         coe_.forget_transfer();
+        if (!has_mailbox()) return;
         for (const auto n : {manager_numbers::mailbox_out, manager_numbers::mailbox_in})
             if (memory.manager(n).full) memory.set_full(n, false);
     }
@@ -45,6 +46,7 @@ class slave_mailbox {
 
     /// The SyncManagers equal the description.
     [[nodiscard]] bool is_configured(esc_memory& memory) const noexcept {
+        if (!has_mailbox()) return true;
         const auto matches = [&memory](const sync_manager& sm, std::uint16_t start, std::uint16_t length,
                                        sync_manager_direction direction) {
             return sm.enable && sm.mode == sync_manager_mode::mailbox && sm.direction == direction &&
@@ -59,6 +61,7 @@ class slave_mailbox {
 
     /// A frame has passed, and the slave is not in INIT.
     void work(esc_memory& memory) noexcept {
+        if (!has_mailbox()) return;
         const auto in = memory.manager(manager_numbers::mailbox_in);
         // Checked before PRE-OP, but a master may have changed the SyncManagers since: it then gets no answer.
         const bool configured = is_configured(memory);
@@ -84,6 +87,8 @@ class slave_mailbox {
     }
 
   private:
+    [[nodiscard]] bool has_mailbox() const noexcept { return out_size_ != 0 || in_size_ != 0; }
+
     // The last read message is still in the memory, unless the answer has continued since: then it was stored, and the
     // memory's message, which was not read, follows it.
     void repeat(esc_memory& memory, const sync_manager& in) noexcept {

@@ -1,4 +1,4 @@
-// The process data of an emulated slave: required SyncManagers 2 and 3, validity of outputs, watchdog.
+// The process data of an emulated slave: required SyncManagers, validity of outputs, watchdog.
 #pragma once
 
 #include <jauscat/base/time.hpp>
@@ -21,8 +21,10 @@ class slave_process_data {
   public:
     /// Of the slave's areas for process data.
     explicit slave_process_data(const slave_description& description) noexcept
-        : outputs_{process_memory::outputs, description.output_size(), description.outputs.empty()},
-          inputs_{process_memory::inputs, description.input_size(), description.inputs.empty()} {}
+        : outputs_{description.output_manager(), process_memory::outputs, description.output_size(),
+                   description.outputs.empty()},
+          inputs_{description.input_manager(), process_memory::inputs, description.input_size(),
+                  description.inputs.empty()} {}
 
     void power_on(esc_memory& memory) noexcept {
         in_force_.fill(std::byte{});
@@ -36,9 +38,9 @@ class slave_process_data {
     [[nodiscard]] al_status_code refusal(const esc_memory& memory) const noexcept {
         if (!outputs_.fits()) return al_status_code::output_mapping;
         if (!inputs_.fits()) return al_status_code::input_mapping;
-        if (!outputs_.accepts(memory.manager(manager_numbers::outputs), sync_manager_direction::master_writes))
+        if (!outputs_.accepts(memory.manager(outputs_.manager), sync_manager_direction::master_writes))
             return al_status_code::output_configuration;
-        if (!inputs_.accepts(memory.manager(manager_numbers::inputs), sync_manager_direction::master_reads))
+        if (!inputs_.accepts(memory.manager(inputs_.manager), sync_manager_direction::master_reads))
             return al_status_code::input_configuration;
         return al_status_code::none;
     }
@@ -46,8 +48,8 @@ class slave_process_data {
     /// The slave is in `state` now: below SAFE-OP its process data are shut.
     void enter(esc_memory& memory, al_state state) noexcept {
         const bool shut = state != al_state::safe_op && state != al_state::op;
-        if (!outputs_.none) memory.disable(manager_numbers::outputs, shut);
-        if (!inputs_.none) memory.disable(manager_numbers::inputs, shut);
+        if (!outputs_.none) memory.disable(outputs_.manager, shut);
+        if (!inputs_.none) memory.disable(inputs_.manager, shut);
         if (state == al_state::op) fed_ = is_fresh_ = true; // the watchdog begins to wait now
         missed_in_row_ = 0;
         show_watchdog(memory, true);
@@ -55,7 +57,7 @@ class slave_process_data {
 
     /// A frame has passed.
     void work(esc_memory& memory, al_state state) noexcept {
-        if (!memory.take_written(manager_numbers::outputs) || outputs_.none) return;
+        if (!memory.take_written(outputs_.manager) || outputs_.none) return;
         fed_ = is_fresh_ = true;
         if (state != al_state::op) return;
         std::ranges::copy(memory.bytes(outputs_.start, outputs_.size), in_force_.begin());
@@ -71,7 +73,7 @@ class slave_process_data {
 
     /// Whether the outputs have not been written for the watchdog's time. Only in OP.
     [[nodiscard]] bool expired(esc_memory& memory, time_point now) noexcept {
-        const auto manager = memory.manager(manager_numbers::outputs);
+        const auto manager = memory.manager(outputs_.manager);
         const auto time = watchdog_time(memory.load(esc_registers::watchdog_divider).value,
                                         memory.load(esc_registers::process_data_watchdog).value);
         if (std::exchange(fed_, false)) {
@@ -96,6 +98,7 @@ class slave_process_data {
 
   private:
     struct area {
+        std::size_t manager{}; // number of its SyncManager
         std::uint16_t start{};
         std::size_t size{};
         bool none{}; // the description has nothing in this direction

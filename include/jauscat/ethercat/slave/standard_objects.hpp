@@ -35,8 +35,8 @@ inline constexpr std::uint16_t input_synchronization = 0x1C33;  ///< the same of
 } // namespace standard_indices
 
 /// The standard objects of an emulated slave, all read only, in front of the objects of its application: with process
-/// data also their mapping (1600h, 1A00h) and assignment (1C12h, 1C13h). The description determines the others. Models
-/// object_source.
+/// data also their mapping (1600h and 1A00h, or those of its PDOs) and assignment (1C12h, 1C13h). The description
+/// determines the others. Models object_source.
 class standard_objects {
   public:
     /// What `description` and `application` refer to must outlive this.
@@ -66,17 +66,23 @@ class standard_objects {
     /// Whether the application describes its objects, too.
     [[nodiscard]] bool is_described() const noexcept { return application_.is_described(); }
     [[nodiscard]] std::uint16_t next_index(std::uint16_t after) const noexcept {
-        const auto others = application_.next_index(after);
-        for (const auto& each : kinds) {
-            if (each.index <= after || !describe(each.index)) continue;
-            return others == 0 ? each.index : std::min(each.index, others);
-        }
-        return others;
+        auto next = application_.next_index(after);
+        const auto offer = [&](std::uint16_t index) {
+            if (index > after && (next == 0 || index < next)) next = index;
+        };
+        for (const auto& pdos : {description_.output_pdos(), description_.input_pdos()})
+            for (std::size_t i = 0; i != pdos.size(); ++i) offer(pdos[i].index);
+        for (const auto& each : kinds)
+            if (each.index > after && describe(each.index)) {
+                offer(each.index);
+                break;
+            }
+        return next;
     }
     [[nodiscard]] std::optional<object_info> describe(std::uint16_t index) const noexcept {
         value first{};
-        const auto* const kind = kind_of(index);
-        if (kind == nullptr || find(index, 0, first) != abort_code::none) return application_.describe(index);
+        const auto kind = kind_of(index);
+        if (!kind || find(index, 0, first) != abort_code::none) return application_.describe(index);
         const bool variable = kind->code == object_code::variable;
         return object_info{.data_type = kind->object_type,
                            .highest_subindex =
@@ -87,8 +93,8 @@ class standard_objects {
     }
     [[nodiscard]] std::optional<entry_info> describe(std::uint16_t index, std::uint8_t subindex) const noexcept {
         value found{};
-        const auto* const kind = kind_of(index);
-        const auto error = kind == nullptr ? abort_code::no_object : find(index, subindex, found);
+        const auto kind = kind_of(index);
+        const auto error = !kind ? abort_code::no_object : find(index, subindex, found);
         if (error == abort_code::no_object) return application_.describe(index, subindex);
         if (error != abort_code::none) return {};
         const bool variable = kind->code == object_code::variable;
@@ -122,10 +128,6 @@ class standard_objects {
                       data_types::visible_string, "Software version"},
         constant_part{standard_indices::identity, object_code::record, data_types::identity, data_types::unsigned32,
                       "Identity"},
-        constant_part{pdo_indices::outputs, object_code::record, data_types::pdo_mapping, data_types::unsigned32,
-                      "Outputs"},
-        constant_part{pdo_indices::inputs, object_code::record, data_types::pdo_mapping, data_types::unsigned32,
-                      "Inputs"},
         constant_part{standard_indices::sync_manager_types, object_code::array, data_types::unsigned8,
                       data_types::unsigned8, "SyncManager types"},
         constant_part{standard_indices::output_assignment, object_code::array, data_types::unsigned16,
@@ -137,9 +139,19 @@ class standard_objects {
         constant_part{standard_indices::input_synchronization, object_code::record, data_types::synchronization,
                       data_types::unsigned32, "Input synchronization"},
     };
-    static constexpr const constant_part* kind_of(std::uint16_t index) noexcept {
+    [[nodiscard]] std::optional<constant_part> kind_of(std::uint16_t index) const noexcept {
+        if (const auto pdo = pdo_of(index))
+            return constant_part{index, object_code::record, data_types::pdo_mapping, data_types::unsigned32,
+                                 pdo->name};
         const auto found = std::ranges::find(kinds, index, &constant_part::index);
-        return found != kinds.end() ? &*found : nullptr;
+        return found != kinds.end() ? std::optional{*found} : std::nullopt;
+    }
+    // The PDO with this mapping object.
+    [[nodiscard]] std::optional<described_pdo> pdo_of(std::uint16_t index) const noexcept {
+        for (const auto& pdos : {description_.output_pdos(), description_.input_pdos()})
+            for (std::size_t i = 0; i != pdos.size(); ++i)
+                if (const auto pdo = pdos[i]; pdo.index == index) return pdo;
+        return {};
     }
     static constexpr std::string_view name_of(const pdo_entry& each) noexcept {
         return each.index == 0 ? "Gap" : each.name;
@@ -151,13 +163,12 @@ class standard_objects {
         constexpr std::array<std::string_view, 6> synchronization{
             "Synchronization type", "Cycle time",        "Shift time", "Synchronization types supported",
             "Minimum cycle time",   "Calc and copy time"};
+        if (const auto pdo = pdo_of(index)) return name_of(pdo->entries[entry]);
         switch (index) {
         case standard_indices::output_synchronization:
         case standard_indices::input_synchronization: return synchronization[entry];
         case standard_indices::identity: return identity[entry];
         case standard_indices::sync_manager_types: return managers[entry];
-        case pdo_indices::outputs: return name_of(description_.outputs[entry]);
-        case pdo_indices::inputs: return name_of(description_.inputs[entry]);
         default: return "PDO";
         }
     }
@@ -187,16 +198,15 @@ class standard_objects {
             }
             return abort_code::none;
         };
-        const auto mapping = [&](std::span<const pdo_entry> all) {
-            if (all.empty()) return abort_code::no_object;
-            const auto mapped = pdo_contents(all);
+        if (const auto pdo = pdo_of(index)) {
+            const auto mapped = pdo->entries;
             return entries(mapped.size(), [&](std::size_t i) {
                 out.put_message(pdo_mapping{mapped[i].bits, mapped[i].subindex, mapped[i].index});
             });
-        };
-        const auto assignment = [&](std::span<const pdo_entry> all, std::uint16_t pdo) {
+        }
+        const auto assignment = [&](const pdo_list& pdos) {
             if (!process_data) return abort_code::no_object;
-            return entries(all.empty() ? 0 : 1, [&](std::size_t) { out.put_message(esc_word{pdo}); });
+            return entries(pdos.size(), [&](std::size_t i) { out.put_message(esc_word{pdos[i].index}); });
         };
         const auto text = [&](std::string_view characters) {
             if (characters.empty()) return abort_code::no_object;
@@ -243,10 +253,8 @@ class standard_objects {
             constexpr std::array uses{mailbox_out, mailbox_in, outputs, inputs};
             return entries(process_data ? 4 : 2, [&](std::size_t i) { out.put(static_cast<std::size_t>(uses[i])); });
         }
-        case pdo_indices::outputs: return mapping(description_.outputs);
-        case pdo_indices::inputs: return mapping(description_.inputs);
-        case standard_indices::output_assignment: return assignment(description_.outputs, pdo_indices::outputs);
-        case standard_indices::input_assignment: return assignment(description_.inputs, pdo_indices::inputs);
+        case standard_indices::output_assignment: return assignment(description_.output_pdos());
+        case standard_indices::input_assignment: return assignment(description_.input_pdos());
         default: return abort_code::no_object;
         }
     }

@@ -137,6 +137,19 @@ struct sii_pdo_entry {
     std::uint16_t flags{};    ///< reserved
 };
 
+/// One mode of category DC, 24 bytes: how a distributed clock may synchronize the slave.
+struct sii_clock_mode {
+    std::uint32_t cycle_time_0{};    ///< ns, of SYNC0; 0: a multiple of the bus cycle
+    std::int32_t shift_time_0{};     ///< ns, of SYNC0
+    std::int32_t shift_time_1{};     ///< ns, of SYNC1
+    std::int16_t cycle_factor_1{};   ///< of SYNC1, in cycles of SYNC0
+    std::uint16_t assign_activate{}; ///< registers 0980h and 0981h
+    std::int16_t cycle_factor_0{};   ///< of SYNC0, in cycles of the bus
+    std::uint8_t name{};             ///< index of a string
+    std::uint8_t description{};      ///< index of a string
+    std::array<std::byte, 4> gap{};  ///< reserved
+};
+
 } // namespace jauscat::ethercat
 
 // One line per field, as in the standard's table.
@@ -252,6 +265,20 @@ template <> struct wire::schema<ethercat::sii_pdo_entry> {
         field<&T::data_type, u8>,
         field<&T::bits, u8>,
         field<&T::flags, u16le>>;
+};
+
+template <> struct wire::schema<ethercat::sii_clock_mode> {
+    using T = ethercat::sii_clock_mode;
+    using type = layout<
+        field<&T::cycle_time_0, u32le>,
+        field<&T::shift_time_0, i32le>,
+        field<&T::shift_time_1, i32le>,
+        field<&T::cycle_factor_1, i16le>,
+        field<&T::assign_activate, u16le>,
+        field<&T::cycle_factor_0, i16le>,
+        field<&T::name, u8>,
+        field<&T::description, u8>,
+        field<&T::gap, octets<4>>>;
 };
 
 } // namespace jauscat
