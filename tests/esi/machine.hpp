@@ -127,7 +127,7 @@ class machine {
     ethercat::standard_objects objects_;
     std::array<ethercat::slave, 1> slave_;
     ethercat::loopback_link link_{slave_};
-    ethercat::master master_{};
+    ethercat::master_for<16> master_{};
 };
 
 } // namespace jauscat::test
