@@ -1,7 +1,6 @@
 // The robot arm's process data: commanded efforts in the outputs, efforts in force in the inputs.
 #pragma once
 #include "arm_application.hpp"
-#include <jauscat/ethercat/slave/image_entries.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
 #include <jauscat/translate/image_translator.hpp>
@@ -12,11 +11,6 @@ namespace example {
 class arm_process_data {
   public:
     using image = jauscat::translation::wrench_effort_image;
-    /// For the slave's description.
-    static constexpr std::span<const jauscat::ethercat::pdo_entry> outputs{
-        jauscat::ethercat::image_entries<image, jauscat::ethercat::image_objects::outputs>};
-    static constexpr std::span<const jauscat::ethercat::pdo_entry> inputs{
-        jauscat::ethercat::image_entries<image, jauscat::ethercat::image_objects::inputs>};
 
     explicit arm_process_data(arm& behind) : arm_{behind} {}
 

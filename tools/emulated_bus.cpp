@@ -2,7 +2,11 @@
 #include "stored_objects.hpp"
 #include "support/link_options.hpp"
 #include "support/say.hpp"
+#include <jauscat/bridge/listed_objects.hpp>
+#include <jauscat/esi/emulated_device.hpp>
+#include <jauscat/esi/read_esi.hpp>
 #include <jauscat/ethercat/code_texts.hpp>
+#include <jauscat/ethercat/slave/mapped_objects.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/now.hpp>
@@ -10,9 +14,12 @@
 #include <jauscat/text/value.hpp>
 
 #include <deque>
+#include <map>
 
 namespace {
 
+namespace bridging = jauscat::bridging;
+namespace esi = jauscat::esi;
 namespace ethercat = jauscat::ethercat;
 using jauscat::text::hex_number;
 
@@ -23,12 +30,15 @@ Each has these objects of exact sizes, which store the written values:
   0x2000:0 1 byte    0x2001:0 2 bytes   0x2002:0 4 bytes   0x2003:0 28 bytes  0x2004:0 1000 bytes
   0x2010:1 to 0x2010:4, 4 bytes each    0x1AF4:1 and 0x6926:1, 28 bytes each
 In OP the inputs repeat the outputs, so that a master can check its cycle.
+With --esi the slaves are those of a file that jauscat-esi has written: its mailbox, PDOs, objects and SII. A report that is
+read is the one written last.
 
 Examples:
   emulated_bus                                          one slave, EtherCAT in UDP on port 34980
   emulated_bus --slaves 5 --outputs 8 --inputs 8 --link raw --interface eth0
   emulated_bus --mailbox-size 24 --slow 20              small and slow
   emulated_bus --subindex-0-rule --state-rule           strict rules for mapping objects
+  emulated_bus --esi arm.xml                            the slave that a file describes
   emulated_bus --abort 0x2002=0x08000021 --abort 0x2010:1=0x06060000
 )";
 
@@ -89,6 +99,29 @@ struct process_data {
     }
 };
 
+/// Holds what was written last to each entry, of any size.
+class written_objects {
+  public:
+    /// Called after each write.
+    std::function<void(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data)> on_write{};
+
+    ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) const noexcept {
+        const auto found = values_.find({index, subindex});
+        if (found == values_.end()) return {.error = ethercat::abort_code::no_data};
+        if (found->second.size() > out.size()) return {.error = ethercat::abort_code::exceeds_mailbox};
+        std::ranges::copy(found->second, out.begin());
+        return {.size = found->second.size()};
+    }
+    ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
+        values_[{index, subindex}].assign(data.begin(), data.end());
+        if (on_write) on_write(index, subindex, data);
+        return ethercat::abort_code::none;
+    }
+
+  private:
+    std::map<std::pair<std::uint16_t, std::uint8_t>, std::vector<std::byte>> values_{};
+};
+
 /// One slave with its objects, and what was logged about it.
 class node {
   public:
@@ -100,14 +133,18 @@ class node {
           slave_{description, dictionary_, with_memory(options)} {
         objects_.add_mapped(description.outputs, slave_.outputs(), true);
         objects_.add_mapped(description.inputs, slave_.inputs(), false);
-        objects_.on_write = [this](std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) {
-            constexpr std::size_t shown = 32;
-            say_(example::events::object_written,
-                 {{"index", index}, {"subindex", subindex}, {"data", jauscat::text::hex(data)}, {"size", data.size()}},
-                 hex_number(index, 4) + ":" + std::to_string(subindex) + " = " +
-                     jauscat::text::hex(data.first(std::min(data.size(), shown))) +
-                     (data.size() > shown ? " ..." : "") + " (" + std::to_string(data.size()) + " bytes)");
-        };
+        objects_.on_write = [this](auto... what) { show_write(what...); };
+    }
+    /// The slave of a file, which outlives it.
+    node(std::size_t number, const esi::emulated_device& file, ethercat::coe_options options)
+        : say_{"slave " + std::to_string(number), {{"slave", number}}},
+          listed_{file.components(), messages_},
+          mapped_{file.description(), listed_},
+          dictionary_{file.description(), mapped_},
+          memory_(file.transfer_size()),
+          slave_{file.description(), dictionary_, with_memory(options)} {
+        mapped_.show(slave_.outputs(), slave_.inputs());
+        messages_.on_write = [this](auto... what) { show_write(what...); };
     }
     node(const node&) = delete;
     node& operator=(const node&) = delete;
@@ -143,6 +180,14 @@ class node {
     }
 
   private:
+    void show_write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) const {
+        constexpr std::size_t shown = 32;
+        say_(example::events::object_written,
+             {{"index", index}, {"subindex", subindex}, {"data", jauscat::text::hex(data)}, {"size", data.size()}},
+             hex_number(index, 4) + ":" + std::to_string(subindex) + " = " +
+                 jauscat::text::hex(data.first(std::min(data.size(), shown))) + (data.size() > shown ? " ..." : "") +
+                 " (" + std::to_string(data.size()) + " bytes)");
+    }
     example::stored_objects& prepare(const std::vector<std::pair<object_place, unsigned long>>& more) {
         for (const auto& [index, size] : {std::pair{0x2000, 1}, {0x2001, 2}, {0x2002, 4}, {0x2003, 28}, {0x2004, 1000}})
             objects_.add(static_cast<std::uint16_t>(index), 0, static_cast<std::size_t>(size));
@@ -159,6 +204,9 @@ class node {
 
     example::speaker say_;
     example::stored_objects objects_{};
+    written_objects messages_{}; // of a file's components
+    bridging::listed_objects listed_{{}, messages_};
+    ethercat::mapped_objects mapped_{{}, listed_};
     ethercat::standard_objects dictionary_;
     std::vector<std::byte> memory_;
     ethercat::slave slave_;
@@ -217,6 +265,7 @@ int main(int argc, char** argv) {
             ("mailbox-size", po::value<std::uint16_t>()->default_value(128), "bytes of each mailbox, 24 to 1486")
             ("vendor", po::value<std::string>()->default_value("0x4A430000"), "vendor ID")
             ("product", po::value<std::string>()->default_value("0x00B5"), "product code")
+            ("esi", po::value<std::string>(), "ESI file that describes the slaves, in place of --outputs, --inputs, --mailbox-size, --vendor, --product, --eight-byte-sii and --object")
             ("eight-byte-sii", po::bool_switch(), "a read of the SII returns 8 bytes instead of 4")
             ("object", po::value<std::vector<std::string>>()->composing(), "another object: INDEX[:SUB]=BYTES; may be repeated")
             ("abort", po::value<std::vector<std::string>>()->composing(), "abort every transfer of an object: INDEX[:SUB]=CODE; may be repeated")
@@ -262,9 +311,23 @@ int main(int argc, char** argv) {
                                           .state_rule = values["state-rule"].as<bool>(),
                                           .answer_delay = values["slow"].as<std::uint32_t>(),
                                           .refused = refused};
+        std::optional<esi::emulated_device> file;
+        if (values.count("esi") != 0) {
+            for (const auto* const other :
+                 {"outputs", "inputs", "mailbox-size", "vendor", "product", "eight-byte-sii", "object"})
+                if (values.count(other) != 0 && !values[other].defaulted())
+                    throw example::usage_error{std::string{"--esi and --"} + other + " exclude each other"};
+            const auto read = esi::read_esi(values["esi"].as<std::string>());
+            if (!read) throw std::runtime_error{read.error().message};
+            file.emplace(*read);
+        }
         std::deque<node> nodes;
         const auto count = within("slaves", values["slaves"].as<std::size_t>(), 1, 100);
         for (std::size_t i = 1; i <= count; ++i) {
+            if (file) {
+                nodes.emplace_back(i, *file, rules);
+                continue;
+            }
             const ethercat::slave_description description{.vendor = number("vendor"),
                                                           .product = number("product"),
                                                           .serial = static_cast<std::uint32_t>(i),

@@ -1,49 +1,171 @@
-// jauscat-esi: writes the ESI file of a robot arm, and checks ESI files.
-#include "arm_application.hpp"
+// jauscat-esi: writes the ESI file and the SII of a slave, and checks ESI files.
+#include "standard_messages.hpp"
 #include "support/arm_slave.hpp"
 #include "support/link_options.hpp"
 #include "support/mailbox_option.hpp"
 #include <jauscat/esi/check_esi.hpp>
+#include <jauscat/esi/emulated_device.hpp>
 #include <jauscat/esi/make_device.hpp>
+#include <jauscat/esi/read_esi.hpp>
 #include <jauscat/esi/write_esi.hpp>
+#include <jauscat/text/suggestion.hpp>
 
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <deque>
 #include <fstream>
 
 namespace {
 
+namespace bridging = jauscat::bridging;
 namespace esi = jauscat::esi;
+namespace translation = jauscat::translation;
 
-constexpr const char* help = R"(jauscat-esi: writes an ESI file (EtherCAT Slave Information), or checks one.
+constexpr const char* help =
+    R"(jauscat-esi: writes an ESI file (EtherCAT Slave Information) and an SII, or checks a file.
 
-The file describes the slave that robot_arm emulates: its mailbox, its process data, its CoE features, its SII memory,
-and an object for its JAUS component with an entry for each message that it accepts. It is for configuration tools and
-emulators.
+Both describe the slave that robot_arm emulates: its mailbox, its process data, its CoE features, an object for its JAUS
+component with an entry for each message that it accepts, and one for messages to all components. --component describes a slave with other components and
+messages. The ESI file is for configuration tools and emulators, the SII for the slave's memory. With --sii alone no ESI
+file is written.
 
 Examples:
   jauscat-esi --output arm.xml                          the robot arm, under the seed table
+  jauscat-esi --output arm.xml --sii arm.bin            and what its SII holds
   jauscat-esi --component 38 --table self-contained     another component, to standard output
+  jauscat-esi --component 56=set_joint_velocities,query_joint_velocities,report_joint_velocities --output joints.xml
+                                                        a component with messages by name or code, such as 0x0603;
+                                                        may be repeated for several components
   jauscat-esi --index-base 0x2000 --output arm.xml      objects in the manufacturer's area
+  jauscat-esi --from arm.xml --sii arm.bin              the SII of the slave that a file describes
   jauscat-esi --check arm.xml                           lists the requirements of configuration tools, met or not
 
 Exit code: 0 on success, with --check if nothing is missing; 1 if a file cannot be read or written, or something is
 missing; 2 for a wrong command line.
 )";
 
-template <class Table> std::string esi_of(std::uint8_t component, std::uint16_t mailbox_size) {
-    // The arm's own component is any other; the indices of components follow one another.
-    auto objects = example::arm_application<Table>::objects;
-    auto& own = objects.front();
-    own.index = static_cast<std::uint16_t>(own.index - own.component + component);
-    own.component = component;
-    const std::string name = "component " + std::to_string(component);
-    own.name = name;
-    auto slave = example::arm_slave;
-    slave.mailbox_out_size = slave.mailbox_in_size = mailbox_size;
-    return esi::write_esi(esi::make_device(
-        slave,
-        {.vendor_name = "JausCat", .group_type = "JausCat", .group_name = "JAUS components", .type = "robot_arm"},
-        objects, true));
+/// What a translation table makes of a component and of a message's size.
+struct table_numbers {
+    std::uint16_t first_index{}; ///< of component 1; those of the others follow
+    std::size_t overhead{}, max_data{};
+    bool exact_size{};
+
+    template <class Table> static constexpr table_numbers of() {
+        return {bridging::object_list<Table, 1>::index, Table::overhead, Table::max_data,
+                jauscat::translate::has_fixed_length<Table>};
+    }
+    /// A subobject under the seed table has all that a packet carries, or the largest message.
+    [[nodiscard]] std::uint16_t size_of(const bridging::sub_object& under_seed) const {
+        const auto more = overhead - translation::seed_table::overhead;
+        return static_cast<std::uint16_t>(std::min<std::size_t>(under_seed.max_size + more, max_data));
+    }
+};
+
+/// `Set Joint Velocities` and `set_joint_velocities` are the same.
+std::string name_of(std::string_view text) {
+    std::string name{text};
+    for (auto& each : name) {
+        const auto character = static_cast<unsigned char>(each);
+        each = std::isalnum(character) != 0 ? static_cast<char>(std::tolower(character)) : '_';
+    }
+    return name;
 }
+
+/// A message by its name or its code.
+const bridging::sub_object& find_message(const std::string& text) {
+    const auto all = standard_messages();
+    std::uint16_t code{};
+    const auto* const end = text.data() + text.size();
+    if (text.starts_with("0x")) {
+        const auto [stop, error] = std::from_chars(text.data() + 2, end, code, 16);
+        if (error != std::errc{} || stop != end)
+            throw example::usage_error{"--component: '" + text + "' is no command code such as 0x0405"};
+        const auto found = std::ranges::find(all, code, &bridging::sub_object::command_code);
+        if (found == all.end()) throw example::usage_error{"--component: no message has the command code " + text};
+        return *found;
+    }
+    const auto found = std::ranges::find(all, name_of(text), &bridging::sub_object::name);
+    if (found != all.end()) return *found;
+    std::vector<std::string_view> names;
+    for (const auto& each : all) names.push_back(each.name);
+    throw example::usage_error{"--component: no message is named '" + text + "'" +
+                               jauscat::text::suggestion(name_of(text), names)};
+}
+
+/// The messages that robot_arm accepts.
+template <class... Messages> std::vector<std::uint16_t> codes_of(jauscat::jaus::message_list<Messages...>) {
+    return {jauscat::jaus::command_code_of<Messages>...};
+}
+
+/// The objects of components as the command line names them: `33`, or `33=set_wrench_effort,0x2405`.
+class component_objects {
+  public:
+    component_objects(const std::vector<std::string>& components, const table_numbers& table) : table_{table} {
+        for (const auto& each : components) parse(each);
+        std::ranges::sort(objects_, {}, &bridging::object_description::index);
+        const auto twice = std::ranges::adjacent_find(objects_, {}, &bridging::object_description::index);
+        if (twice != objects_.end())
+            throw example::usage_error{"--component " + std::to_string(twice->component) + " is there twice"};
+    }
+    component_objects(const component_objects&) = delete;
+    component_objects& operator=(const component_objects&) = delete;
+
+    [[nodiscard]] std::span<const bridging::object_description> all() const { return objects_; }
+
+  private:
+    static constexpr std::uint8_t every_component = 255;
+
+    void parse(const std::string& text) {
+        const auto equals = text.find('=');
+        const bool has_messages = equals != text.npos;
+        unsigned id{};
+        const auto* const end = text.data() + std::min(equals, text.size());
+        const auto [stop, error] = std::from_chars(text.data(), end, id);
+        if (error != std::errc{} || stop != end || id < 1 || id > (has_messages ? every_component : 254u))
+            throw example::usage_error{"--component must be a JAUS component ID, 1 to 254, or with messages also 255 "
+                                       "for all components, not '" +
+                                       text + "'"};
+        const auto component = static_cast<std::uint8_t>(id);
+        if (has_messages) return add(component, named(text.substr(equals + 1)));
+        add(component, accepted_by_arm());
+        if (std::ranges::find(objects_, every_component, &bridging::object_description::component) == objects_.end())
+            add(every_component, accepted_by_arm());
+    }
+    static std::vector<bridging::sub_object> named(const std::string& list) {
+        std::vector<bridging::sub_object> messages;
+        for (std::size_t at = 0;;) {
+            const auto comma = list.find(',', at);
+            messages.push_back(find_message(list.substr(at, comma - at)));
+            if (comma == list.npos) return messages;
+            at = comma + 1;
+        }
+    }
+    static std::vector<bridging::sub_object> accepted_by_arm() {
+        std::vector<bridging::sub_object> messages;
+        for (const auto code : codes_of(robot_messages{}))
+            messages.push_back(*std::ranges::find(standard_messages(), code, &bridging::sub_object::command_code));
+        return messages;
+    }
+    void add(std::uint8_t component, std::vector<bridging::sub_object> messages) {
+        for (auto& each : messages) each.max_size = table_.size_of(each);
+        std::ranges::sort(messages, {}, &bridging::sub_object::subindex);
+        const auto& name = names_.emplace_back("component " + std::to_string(component));
+        const auto twice = std::ranges::adjacent_find(messages, {}, &bridging::sub_object::subindex);
+        if (twice != messages.end())
+            throw example::usage_error{"--" + name + ": " + std::string{twice->name} + " is there twice"};
+        objects_.push_back({.index = static_cast<std::uint16_t>(table_.first_index + component - 1),
+                            .component = component,
+                            .name = name,
+                            .exact_size = table_.exact_size,
+                            .entries = entries_.emplace_back(std::move(messages))});
+    }
+
+    table_numbers table_;
+    std::deque<std::vector<bridging::sub_object>> entries_{}; // objects_ refers to these
+    std::deque<std::string> names_{};
+    std::vector<bridging::object_description> objects_{};
+};
 
 int check(const std::string& file) {
     const auto checked = esi::check_esi(file);
@@ -62,24 +184,48 @@ int check(const std::string& file) {
     return missing == 0 ? example::success : example::failure;
 }
 
-int write(const boost::program_options::variables_map& values) {
-    const auto component = values["component"].as<unsigned>();
-    if (component < 1 || component > 254)
-        throw example::usage_error{"--component must be a JAUS component ID, 1 to 254"};
-    const auto mailbox_size = example::mailbox_size_of(values);
-    std::string text;
+/// The device that the command line describes.
+esi::device described(const boost::program_options::variables_map& values) {
+    auto slave = example::arm_slave;
+    slave.mailbox_out_size = slave.mailbox_in_size = example::mailbox_size_of(values);
+    table_numbers table{};
     example::with_table(values, [&]<class Table>() {
-        text = esi_of<Table>(static_cast<std::uint8_t>(component), mailbox_size);
+        table = table_numbers::of<Table>();
         return int{example::success};
     });
-    if (values.count("output") == 0) {
-        std::cout << text;
-        return example::success;
-    }
-    const auto& path = values["output"].as<std::string>();
+    const component_objects objects{values["component"].as<std::vector<std::string>>(), table};
+    return esi::make_device(
+        slave,
+        {.vendor_name = "JausCat", .group_type = "JausCat", .group_name = "JAUS components", .type = "robot_arm"},
+        objects.all(), true);
+}
+
+/// The device of a file.
+esi::device read(const boost::program_options::variables_map& values) {
+    for (const auto* const other : {"component", "mailbox-size", "table", "index-base", "fixed-length"})
+        if (!values[other].defaulted())
+            throw example::usage_error{std::string{"--from and --"} + other + " exclude each other"};
+    const auto device = esi::read_esi(values["from"].as<std::string>());
+    if (!device) throw std::runtime_error{device.error().message};
+    return *device;
+}
+
+void put(const std::string& path, std::string_view bytes) {
     std::ofstream file{path, std::ios::binary};
-    file << text << std::flush;
+    file << bytes << std::flush;
     if (!file) throw std::runtime_error{path + ": cannot be written"};
+}
+
+int write(const boost::program_options::variables_map& values) {
+    const auto device = values.count("from") != 0 ? read(values) : described(values);
+    if (values.count("output") != 0)
+        put(values["output"].as<std::string>(), esi::write_esi(device));
+    else if (values.count("sii") == 0)
+        std::cout << esi::write_esi(device);
+    if (values.count("sii") != 0) {
+        const auto sii = esi::emulated_device{device}.sii();
+        put(values["sii"].as<std::string>(), {reinterpret_cast<const char*>(sii.data()), sii.size()});
+    }
     return example::success;
 }
 
@@ -91,8 +237,11 @@ int main(int argc, char** argv) {
         po::options_description options;
         // clang-format off
         options.add_options()
-            ("component", po::value<unsigned>()->default_value(33), "JAUS component ID of the slave, 1 to 254")
-            ("output", po::value<std::string>(), "file to write, instead of standard output")
+            ("component", po::value<std::vector<std::string>>()->composing()->default_value({"33"}, "33"),
+             "JAUS component of the slave: ID, with the messages of robot_arm, or ID=MESSAGE,...; may be repeated")
+            ("output", po::value<std::string>(), "ESI file to write, instead of standard output")
+            ("sii", po::value<std::string>(), "file to write with the content of the SII")
+            ("from", po::value<std::string>(), "ESI file that describes the slave, instead of the other options")
             ("check", po::value<std::string>(), "ESI file to check; nothing is written");
         // clang-format on
         example::add_mailbox_option(options);

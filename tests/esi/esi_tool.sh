@@ -73,8 +73,77 @@ options() {
     says "<Name>ExactSize</Name>"
 }
 
+messages() {
+    # By name, by the standard's name and by code; several components.
+    expect 0 --component 56=set_joint_velocities,0x2603,"Report Joint Velocities" --component 34=set_wrench_effort
+    says "<Name>set_joint_velocities</Name>"
+    says "<Name>query_joint_velocities</Name>"
+    says "<Name>report_joint_velocities</Name>"
+    says "<Index>#x1B2C</Index>"
+    says ">component 56</Name>"
+    says "<Index>#x1B16</Index>"
+    grep -q "query_wrench_effort" "$work/out" && fail "it has messages that were not named"
+    cp "$work/out" "$work/own.xml"
+    expect 0 --check "$work/own.xml"
+    # The same messages as the default has, in another order.
+    local arm=report_travel_speed,report_wrench_effort,report_global_pose,report_heartbeat_pulse,report_component_status
+    arm+=,query_travel_speed,query_wrench_effort,query_global_pose,query_component_status,set_travel_speed
+    arm+=,set_wrench_effort,clear_emergency,set_emergency,set_component_authority
+    for table in seed self-contained; do
+        for more in "" "--fixed-length --index-base 0x6900"; do
+            expect 0 --component 255=$arm --component 33=$arm --table $table $more
+            cp "$work/out" "$work/named.xml"
+            expect 0 --table $table $more
+            cmp "$work/out" "$work/named.xml" || fail "the named messages differ from the default: $table $more"
+        done
+    done
+    expect 0 --component 33=set_wrench_effort --table self-contained --fixed-length --index-base 0x2000
+    says "<Index>#x2021</Index>"
+    says "<Name>OCTET_STRING(34)</Name>"
+    expect 0 --component 33=report_payload_data_element # without a limit: all that a packet carries
+    says "<Name>OCTET_STRING(1540)</Name>"
+    expect 2 --component 33=set_wrench_efort
+    says "no message is named 'set_wrench_efort'; did you mean set_wrench_effort?"
+    expect 2 --component 33=0x9999
+    says "no message has the command code 0x9999"
+    expect 2 --component 33=0x04zz
+    says "'0x04zz' is no command code such as 0x0405"
+    expect 2 --component 33=
+    says "no message is named ''"
+    expect 2 --component 33=set_wrench_effort,0x0405
+    says "--component 33: set_wrench_effort is there twice"
+    expect 2 --component 33 --component 33=reset
+    says "--component 33 is there twice"
+    expect 2 --component 256=reset
+    says "1 to 254, or with messages also 255 for all components"
+}
+
+sii() {
+    expect 0 --sii "$work/arm.bin"
+    [ ! -s "$work/out" ] || fail "with --sii alone it writes an ESI file"
+    expect 0 --output "$work/arm.xml" --sii "$work/both.bin"
+    cmp "$work/arm.bin" "$work/both.bin" || fail "the SII depends on --output"
+    expect 0 --from "$work/arm.xml" --sii "$work/file.bin"
+    cmp "$work/arm.bin" "$work/file.bin" || fail "the SII of the file differs"
+    expect 0 --from "$work/arm.xml"
+    cmp "$work/arm.xml" "$work/out" || fail "a file that is read and written differs"
+    [ "$(od -An -tx1 -j16 -N8 "$work/arm.bin" | tr -d ' ')" = 0000434a21000000 ] || fail "vendor and product differ"
+    [ $((($(od -An -tu2 -j124 -N2 "$work/arm.bin") + 1) * 128)) = "$(stat -c %s "$work/arm.bin")" ] || fail "wrong size"
+    expect 0 --mailbox-size 1486 --sii "$work/large.bin"
+    [ "$(od -An -tu2 -j48 -N8 "$work/large.bin" | tr -s ' ')" = " 4096 1486 5632 1486" ] || fail "wrong mailbox"
+    expect 2 --from "$work/arm.xml" --component 34
+    says "--from and --component exclude each other"
+    expect 1 --from "$work/none.xml" --sii "$work/none.bin"
+    says "none.xml: cannot be read: No such file or directory"
+    expect 1 --sii "$work/no/such/folder.bin"
+    says "cannot be written"
+    sed 's/Physics="YY"/Physics="KK"/' "$work/arm.xml" >"$work/other.xml"
+    expect 1 --from "$work/other.xml" --sii "$work/other.bin"
+    says "its ports (Physics) cannot be emulated"
+}
+
 wrong_arguments() {
-    for component in 0 255 300; do
+    for component in 0 255 300 x 33x =reset; do
         expect 2 --component $component
         says "--component must be a JAUS component ID, 1 to 254"
     done
