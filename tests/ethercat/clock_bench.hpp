@@ -128,7 +128,7 @@ class clock_bench {
 
     time_point now{};
     duration gap{std::chrono::microseconds{20}}; ///< between a frame's return and the next one
-    ethercat::master_for<16> master{};
+    ethercat::master_for<64> master{};
     std::vector<ethercat::clock_record> clocks{};
 
   private:
