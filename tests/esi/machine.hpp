@@ -106,10 +106,12 @@ class machine {
         return image;
     }
 
+    using cycle_data = ethercat::process_data_for<1, 2048>;
     /// One cycle with `outputs`; the inputs it brings.
     bytes exchange(ethercat::process_data& data, const bytes& outputs) {
         std::ranges::copy(outputs, data.outputs(record()).begin());
         bytes frame(ethercat::max_frame_size);
+        data.begin_cycle();
         frame.resize(data.next_frame(frame, {}));
         slave().process(frame);
         REQUIRE(data.on_frame(frame));
@@ -117,7 +119,7 @@ class machine {
         const auto inputs = data.inputs(record());
         return {inputs.begin(), inputs.end()};
     }
-    [[nodiscard]] ethercat::process_data cyclic() { return ethercat::process_data{master_.slaves()}; }
+    [[nodiscard]] cycle_data cyclic() { return cycle_data{master_.slaves()}; }
 
   private:
     bytes memory_;

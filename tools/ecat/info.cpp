@@ -20,16 +20,17 @@ const char* port_kind(unsigned bits) {
     }
 }
 
-list ports_of(const ethercat::esc_description& esc, std::uint16_t dl_status) {
+list ports_of(const ethercat::esc_description& esc, const ethercat::dl_status& status) {
     list made;
+    const auto links = status.ports();
     for (unsigned port = 0; port != 4; ++port) {
         const auto kind = esc.ports >> 2 * port & 3u;
         if (kind == 0) continue;
         made.emplace_back(record{{"port", port},
                                  {"kind", port_kind(kind)},
-                                 {"link", (dl_status >> (4 + port) & 1) != 0},
-                                 {"loop_closed", (dl_status >> (8 + 2 * port) & 1) != 0},
-                                 {"communication", (dl_status >> (9 + 2 * port) & 1) != 0}});
+                                 {"link", links[port].link},
+                                 {"loop_closed", links[port].closed},
+                                 {"communication", links[port].communication}});
     }
     return made;
 }
@@ -54,7 +55,7 @@ std::string joined(const list& names) {
 
 record describe(ring& on, std::uint16_t position) {
     const auto esc = on.read(position, registers::description);
-    const auto dl_status = on.read(position, registers::dl_status).value;
+    const auto dl_status = on.read(position, registers::dl_status);
     const auto& is = on.states()[position];
     sii_content sii;
     {

@@ -34,7 +34,7 @@ void to_safe_op(ring& on, std::uint16_t position) {
     };
     while (is_taken(station)) ++station;
     const auto before = on.read(position, registers::station_address);
-    ethercat::master master{{.frame_timeout = on.options().frame_timeout}};
+    ethercat::master_for<1> master{{.frame_timeout = on.options().frame_timeout}};
     const auto require = [&](const auto& result, const char* what) {
         if (!result) throw failure{on.name_of(position) + ": " + what + ": " + reason_text(result.error())};
     };
