@@ -1,31 +1,33 @@
-// What the source files of the message classes have in common.
+// What the source files of the message classes have in common: all that is compiled for each message.
 #pragma once
 #include "message_kinds.hpp"
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/text/annotate.hpp>
-#include <jauscat/text/from_text.hpp>
+#include <jauscat/text/describe.hpp>
 #include <jauscat/wire/encode.hpp>
 
-template <class Message>
-jauscat::result<std::vector<std::byte>, std::string> body_from_words(std::span<const std::string> words) {
-    std::vector<std::byte> lists(std::size_t{1} << 16U);
-    jauscat::wire::arena memory{lists};
-    Message message{};
-    if (const auto filled = jauscat::text::from_words(words, message, memory); !filled) return filled.error().message;
-    std::vector<std::byte> body(std::size_t{1} << 16U);
-    const auto encoded = jauscat::wire::encode(message, body);
-    if (!encoded) return std::string{jauscat::wire::describe(encoded.error())};
-    body.resize(encoded->size());
-    return body;
-}
-
-template <class Message> std::string body_to_text(std::span<const std::byte> body, std::size_t first_offset) {
-    return jauscat::text::annotate<Message>(body, first_offset);
-}
-
-template <class Message> std::string fault_of_body(std::span<const std::byte> body) {
-    const auto why = jauscat::wire::diagnose<Message>(body);
-    return why.error == jauscat::wire::errc::ok ? std::string{} : jauscat::text::to_text(why);
+template <class Message> message_kind kind_of() {
+    namespace wire = jauscat::wire;
+    using bytes = std::span<const std::byte>;
+    return {
+        .command_code = jauscat::jaus::command_code_of<Message>,
+        .fields = &jauscat::text::describe<Message>(),
+        .make =
+            [] {
+                return message_kind::object{new Message{}, [](void* value) { delete static_cast<Message*>(value); }};
+            },
+        .decode = [](void* value, bytes body,
+                     wire::arena& memory) { return wire::decode(*static_cast<Message*>(value), body, memory); },
+        .encode = [](const void* value) -> jauscat::result<std::vector<std::byte>, wire::errc> {
+            const auto& message = *static_cast<const Message*>(value);
+            std::vector<std::byte> body(wire::encoded_size(message));
+            if (const auto written = wire::encode(message, body); !written) return written.error();
+            return body;
+        },
+        .diagnose = [](bytes body) { return wire::diagnose<Message>(body); },
+        .annotate = [](bytes body,
+                       std::size_t first_offset) { return jauscat::text::annotate<Message>(body, first_offset); },
+    };
 }
 
 /// Those with codes from `First` to `Last`.
@@ -35,8 +37,7 @@ std::vector<message_kind> kinds_of(jauscat::jaus::message_list<Messages...>) {
     const auto add = [&]<class Message>() {
         if constexpr (jauscat::jaus::command_code_of<Message> >= First &&
                       jauscat::jaus::command_code_of<Message> <= Last)
-            made.push_back({jauscat::jaus::command_code_of<Message>, &body_from_words<Message>, &body_to_text<Message>,
-                            &fault_of_body<Message>});
+            made.push_back(kind_of<Message>());
     };
     (add.template operator()<Messages>(), ...);
     return made;

@@ -51,7 +51,7 @@ order order_from(const std::string& name, const words& assignments) {
     const auto* const kind = find_kind(made.command_code);
     if (kind == nullptr)
         throw example::usage_error{text::message_name(made.command_code) + " cannot be sent by its name"};
-    auto body = kind->from_words(assignments);
+    auto body = body_from_words(*kind, assignments);
     if (!body) throw example::usage_error{body.error()};
     made.body = *std::move(body);
     return made;

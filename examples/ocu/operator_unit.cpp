@@ -28,7 +28,7 @@ void show(example::event_kind kind_of_event, const char* verb, std::span<const s
     if (!jaus::is_acknowledgement(parts.header)) {
         const auto* const kind = find_kind(parts.header.command_code);
         lines += text::hex_dump(message.first(jaus::header_size));
-        lines += kind != nullptr ? kind->to_text(parts.body, jaus::header_size)
+        lines += kind != nullptr ? kind->annotate(parts.body, jaus::header_size)
                                  : text::hex_dump(parts.body, "  ", jaus::header_size);
     }
     example::write_limited(verb, kind_of_event, example::message_members(parts.header, parts.body), lines);

@@ -262,7 +262,7 @@ class communicator {
         if (what != jaus::component_outcome::handled) first += "; " + std::string{describe(what)};
         auto lines = example::bold(first) + "\n";
         const auto* const kind = find_kind(head.command_code);
-        if (!body.empty()) lines += kind != nullptr ? kind->to_text(body, 0) : text::hex_dump(body);
+        if (!body.empty()) lines += kind != nullptr ? kind->annotate(body, 0) : text::hex_dump(body);
         tell("received", events::message_received,
              example::message_members(head, body) + example::event_members{{"result", std::string{describe(what)}}},
              lines);
@@ -311,7 +311,7 @@ class communicator {
         head.command_code = *code;
         const auto* const kind = find_kind(head.command_code);
         if (kind == nullptr) return wrong(text::message_name(head.command_code) + " cannot be sent by its name");
-        const auto filled = kind->from_words(std::span{all}.subspan(3));
+        const auto filled = body_from_words(*kind, std::span{all}.subspan(3));
         if (!filled) return wrong(filled.error());
         const std::span<const std::byte> body = *filled;
         const bool asks = jaus::report_code_of(head.command_code) != 0;

@@ -26,19 +26,9 @@ struct decoding {
     bool text{};           ///< make text, else JSON
 };
 
-using body_decoder = decoded_body (*)(std::span<const std::byte> body, const decoding&);
-
-/// nullptr for a command code that is no message of the class: commands 0000h to 1FFFh, queries 2000h to 3FFFh, informs
-/// 4000h to 5FFFh.
-body_decoder find_command_decoder(std::uint16_t command_code);
-body_decoder find_query_decoder(std::uint16_t command_code);
-body_decoder find_inform_decoder(std::uint16_t command_code);
-
-/// nullptr for a command code that the standard does not have.
-inline body_decoder find_decoder(std::uint16_t command_code) {
-    if (command_code < 0x2000) return find_command_decoder(command_code);
-    if (command_code < 0x4000) return find_query_decoder(command_code);
-    return find_inform_decoder(command_code);
-}
+/// Whether the standard has a message of the command code.
+bool is_known(std::uint16_t command_code);
+/// Decodes the body of a message whose command code is known.
+decoded_body decode_body(std::span<const std::byte> body, const decoding& how);
 
 } // namespace jausdump

@@ -37,7 +37,7 @@ std::string why_no_message(std::span<const std::byte> bytes) {
     if (!wire::decode_prefix(head, bytes)) return "not JAUS: shorter than a header";
     if (head.version > 2 || head.reserved != 0) return "not JAUS: not the first bytes of a header";
     if (!names_one_component(head.source)) return "not JAUS: no component is the source";
-    const bool known = find_decoder(head.command_code) != nullptr;
+    const bool known = is_known(head.command_code);
     if (head.data_size != bytes.size() - jaus::header_size && !known)
         return "not JAUS: the size in the header is another";
     return {};
@@ -129,11 +129,10 @@ void dump::take_apart(record& message, bool network) {
 void dump::decode(record& message, bool network) {
     const jaus::header& head = *message.head;
     const auto body = message.body();
-    const auto decoder = find_decoder(head.command_code);
     if (body.empty() && jaus::is_acknowledgement(head)) {
         message.kind = kind::acknowledgement;
         if (options_.reencode) message.hex = encoded_again(head, {});
-    } else if (decoder == nullptr) {
+    } else if (!is_known(head.command_code)) {
         message.kind = kind::unknown;
         message.error = fault{.error = "unknown_command_code",
                               .field = "command_code",
@@ -142,10 +141,10 @@ void dump::decode(record& message, bool network) {
                                       " is not one of the standard's"};
         return;
     } else {
-        auto decoded = decoder(body, {.head = head,
-                                      .payloads = payloads_,
-                                      .learn_payloads = network,
-                                      .text = options_.format == format::text_lines});
+        auto decoded = decode_body(body, {.head = head,
+                                          .payloads = payloads_,
+                                          .learn_payloads = network,
+                                          .text = options_.format == format::text_lines});
         message.presence_vector = std::move(decoded.presence_vector);
         message.fields = std::move(decoded.fields);
         message.text = std::move(decoded.text);

@@ -32,26 +32,38 @@ class annotating_trace : public wire::decode_trace {
         if constexpr (requires { typename Item::fields; }) {
             std::string row;
             Item::visit(object, [&](auto field, const auto& value) {
-                row += (row.empty() ? "" : ", ") + prefix() + std::string{field.name()} + " = " + to_text(field, value);
+                append_member(row, row.empty() ? "" : ", ", prefix() + std::string{field.name()},
+                              to_text(field, value));
             });
             line(row);
         } else if constexpr (requires { Item::key; } && Item::max_size != 0) {
             const auto& value = wire::value_of(wire::member_of<Item::key>(object));
-            line(prefix() + std::string{Item::name()} + " = " + to_text(Item{}, value));
+            member_line(Item::name(), to_text(Item{}, value));
         }
     }
     template <class Item> void passed_element(const auto& value) {
-        std::string name = prefix();
-        name.pop_back(); // the dot
-        line(name + " = " + to_text(typename Item::element_type{}, value));
+        element_line(to_text(typename Item::element_type{}, value));
     }
     template <std::size_t Size> void passed_number(std::string_view name, std::uint64_t value) {
-        const bool is_mask = name == "presence_vector";
-        line(prefix() + std::string{name} + " = " + (is_mask ? hex_number(value, Size * 2) : std::to_string(value)));
+        number_line(name, value, Size);
     }
     [[nodiscard]] std::string text() && { return std::move(text_); }
 
   private:
+    // What is no template is compiled once for all messages.
+    void member_line(std::string_view name, const std::string& value) {
+        std::string row = prefix();
+        append_member(row, "", name, value);
+        line(row);
+    }
+    void element_line(const std::string& value) {
+        std::string name = prefix();
+        name.pop_back(); // the dot
+        line(name + " = " + value);
+    }
+    void number_line(std::string_view name, std::uint64_t value, std::size_t size) {
+        member_line(name, name == "presence_vector" ? hex_number(value, size * 2) : std::to_string(value));
+    }
     [[nodiscard]] std::string prefix() const { return path_text(found(wire::errc::ok)); }
     void line(const std::string& what) {
         const std::size_t next = offset();

@@ -29,13 +29,19 @@ template <wire::message T>
     return detail::filler{memory}.fill(type, object, in);
 }
 
-/// From words like `pose[1].pose_time=2.5`, as a shell hands them over.
-template <wire::message T>
-[[nodiscard]] result<void, error> from_words(std::span<const std::string> words, T& message, wire::arena& memory) {
+/// From words like `pose[1].pose_time=2.5`, as a shell hands them over, for a value-initialised object.
+[[nodiscard]] inline result<void, error> from_words(std::span<const std::string> words, const structure& type,
+                                                    void* object, wire::arena& memory) {
     input tree{.what = input::kind::object};
     for (const std::string& word : words)
         if (auto assigned = assign(word, tree); !assigned) return assigned;
-    return from_input(tree, message, memory);
+    return from_input(tree, type, object, memory);
+}
+/// The same for a typed message.
+template <wire::message T>
+[[nodiscard]] result<void, error> from_words(std::span<const std::string> words, T& message, wire::arena& memory) {
+    message = T{};
+    return from_words(words, describe<T>(), &message, memory);
 }
 
 /// The same from one line, in which quotes keep spaces together.

@@ -91,7 +91,8 @@ class printer {
         const std::uint64_t number = is.get(at);
         switch (is.what) {
         case integer_form::meaning::boolean: return number != 0 ? "true" : "false";
-        case integer_form::meaning::flags: return set_bits(is, number) + " (" + hex_number(number, is.bits / 4) + ")";
+        case integer_form::meaning::flags:
+            return set_bits(is.names, is.bits, number) + " (" + hex_number(number, is.bits / 4) + ")";
         case integer_form::meaning::enumeration:
             if (const std::string_view known = name_in(is.names, number); !known.empty())
                 return std::string{known} + " (" + std::to_string(number) + ")";
@@ -161,16 +162,6 @@ class printer {
         indent_ += 2;
         write();
         indent_ -= 2;
-    }
-    static std::string set_bits(const integer_form& is, std::uint64_t number) {
-        std::string names;
-        for (unsigned bit = 0; bit != is.bits; ++bit) {
-            if ((number >> bit & 1u) == 0) continue;
-            const std::string_view known = name_in(is.names, bit);
-            names += names.empty() ? "" : " | ";
-            names += known.empty() ? "bit " + std::to_string(bit) : std::string{known};
-        }
-        return names.empty() ? "none" : names;
     }
     /// The first bytes; the rest is for annotate and JSON.
     static std::string sized_hex(std::span<const std::byte> bytes) {

@@ -6,6 +6,8 @@
 
 #include <array>
 #include <charconv>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -56,6 +58,28 @@ inline std::string real_text(double value, int digits = 8) {
         std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
     return {buffer.data(), end.ptr};
 }
+inline std::string named_text(std::string_view name, std::uint64_t number) {
+    return name.empty() ? hex_number(number, 1) : std::string{name};
+}
+/// The names of the bits that are set in `number`; `names` by bit.
+inline std::string set_bits(std::span<const std::string_view> names, unsigned bits, std::uint64_t number) {
+    std::string text;
+    for (unsigned bit = 0; bit != bits; ++bit) {
+        if ((number >> bit & 1u) == 0) continue;
+        if (!text.empty()) text += " | ";
+        const std::string_view known = bit < names.size() ? names[bit] : std::string_view{};
+        text += known.empty() ? "bit " + std::to_string(bit) : std::string{known};
+    }
+    return text.empty() ? "none" : text;
+}
+inline void append_unit(std::string& text, std::string_view unit) {
+    if (!unit.empty()) (text += ' ') += unit;
+}
+inline void append_raw(std::string& text, const std::string& raw) { ((text += " (raw ") += raw) += ')'; }
+inline void append_member(std::string& text, std::string_view separator, std::string_view name,
+                          std::string_view value) {
+    (((text += separator) += name) += " = ") += value;
+}
 
 } // namespace detail
 
@@ -78,7 +102,7 @@ namespace detail {
 template <wire::message T> std::string in_braces(const T& value) {
     std::string text = "{";
     wire::layout_of<T>::visit(value, [&]<class Item>(Item, const auto& member) {
-        text += (text.size() == 1 ? "" : ", ") + std::string{Item::name()} + " = " + to_text(member);
+        append_member(text, text.size() == 1 ? "" : ", ", Item::name(), to_text(member));
     });
     return text + "}";
 }
@@ -90,9 +114,7 @@ std::string to_text(const T& value) {
     if constexpr (std::is_same_v<T, bool>) {
         return value ? "true" : "false";
     } else if constexpr (std::is_enum_v<T>) {
-        const std::string_view name = enumerator_name(value);
-        const auto number = static_cast<unsigned long long>(value);
-        return name.empty() ? hex_number(number, 1) : std::string{name};
+        return detail::named_text(enumerator_name(value), static_cast<std::uint64_t>(value));
     } else if constexpr (std::floating_point<T>) {
         return detail::real_text(static_cast<double>(value));
     } else if constexpr (std::integral<T>) {
@@ -100,13 +122,8 @@ std::string to_text(const T& value) {
     } else if constexpr (std::is_same_v<T, std::string_view>) {
         return quoted(value);
     } else if constexpr (requires { typename T::bit_type; }) {
-        std::string names;
-        for (unsigned bit = 0; bit != sizeof(typename T::bits_type) * 8; ++bit)
-            if (const auto one = static_cast<typename T::bit_type>(bit); value.test(one))
-                names +=
-                    (names.empty() ? "" : " | ") +
-                    (enumerator_name(one).empty() ? "bit " + std::to_string(bit) : std::string{enumerator_name(one)});
-        return names.empty() ? "none" : names;
+        return detail::set_bits(detail::enumerator_names<typename T::bit_type>, sizeof(typename T::bits_type) * 8,
+                                value.bits());
     } else if constexpr (std::is_same_v<T, std::monostate>) {
         return "none";
     } else if constexpr (wire::is_variant<T>) {
@@ -134,25 +151,30 @@ std::string to_text(const T& value) {
     }
 }
 
+namespace detail {
+/// By its codec, so that members with the same share the code.
+template <class Codec, class T> std::string coded_text(const T& value) {
+    std::string text = to_text(value);
+    if constexpr (requires { typename Codec::range_type; }) {
+        append_unit(text, Codec::range_type::unit);
+        if (value >= Codec::lowest && value <= Codec::highest) append_raw(text, std::to_string(Codec::to_raw(value)));
+    } else if constexpr (requires { typename Codec::unit_type; }) {
+        append_unit(text, Codec::unit_type::unit);
+    }
+    return text;
+}
+} // namespace detail
+
 /// A member's value with unit and raw integer, as its field descriptor has them: `49.998474 % (raw 16383)`.
 template <class Item, class T>
 requires requires { Item::name(); }
 [[nodiscard]] std::string to_text(Item, const T& value) {
-    if constexpr (requires { typename Item::codec_type::range_type; }) {
-        using codec = typename Item::codec_type;
-        std::string text = to_text(value);
-        if (!codec::range_type::unit.empty()) text += " " + std::string{codec::range_type::unit};
-        if (value >= codec::lowest && value <= codec::highest)
-            text += " (raw " + std::to_string(codec::to_raw(value)) + ")";
-        return text;
-    } else if constexpr (requires { typename Item::codec_type::unit_type; }) {
-        return to_text(value) + " " + std::string{Item::codec_type::unit_type::unit};
-    } else if constexpr (Item::name() == "command_code" || Item::name() == "presence_vector") {
-        // Printed in hex.
-        return hex_number(value, Item::max_size * 2);
-    } else {
+    if constexpr (Item::name() == "command_code" || Item::name() == "presence_vector")
+        return hex_number(value, Item::max_size * 2); // more readable in hex
+    else if constexpr (requires { typename Item::codec_type; })
+        return detail::coded_text<typename Item::codec_type>(value);
+    else
         return to_text(value);
-    }
 }
 
 } // namespace jauscat::text
