@@ -44,11 +44,11 @@ using exchange_maker = std::unique_ptr<bridging::any_exchange> (*)(const bridgin
 /// The bridge works while its node runs. The first slave gets the number of the node as its station address, each
 /// further one a free address from 254 down; a slave that takes its JAUS ID from its station address then has that
 /// number for its node, and the bridge changes it in all messages. A slave has up to 8 components. All bridges of a bus
-/// share its master, and have the same options.
+/// share its master; each has its own options, and the process data have the shortest of their periods.
 class bridge {
   public:
-    /// Node and bus have the same io_context. Throws `std::invalid_argument` for another one, for options out of range,
-    /// and for options that differ from those of another bridge of the bus.
+    /// Node and bus have the same io_context. Throws `std::invalid_argument` for another one and for options out of
+    /// range.
     template <class Table>
     bridge(node& of, bus& on, const Table&, const bridge_options& options = {})
         : bridge{of, on, &app::make_exchange<Table>, options} {}

@@ -50,8 +50,9 @@ class process_part {
   public:
     virtual ~process_part() = default;
 
-    /// All slaves are in OP with current inputs; the cycles have this period. What was before does not count: no
-    /// command or stop order waits. Error: the data are not as this part needs them; a slave is then brought up anew.
+    /// All slaves are in OP with current inputs; the cycles have this period, or a shorter one once another user of the
+    /// bus needs it. What was before does not count: no command or stop order waits. Error: the data are not as this
+    /// part needs them; a slave is then brought up anew.
     [[nodiscard]] virtual result<void, translate::errc> start(slave_group slaves, duration period) = 0;
     /// Whether messages of this code, commands or queries, go by process data.
     [[nodiscard]] virtual bool takes(std::uint16_t command_code) const = 0;

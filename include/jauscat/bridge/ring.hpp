@@ -39,7 +39,8 @@ class ring {
   public:
     using bytes = std::span<const std::byte>;
 
-    /// The options must outlive it.
+    /// The options must outlive it. The watchdog, the times of loss and the keep-alive of each slave are those of its
+    /// front; the period is the shortest of all.
     explicit ring(const bridge_options& options) noexcept : options_{options} {}
     ring(const ring&) = delete;
     ring& operator=(const ring&) = delete;
@@ -139,7 +140,7 @@ class ring {
         if (cycles()) consider(next_cycle_);
         for (const place& each : places()) {
             consider(each.front->orders().next_expiry());
-            if (each.at == phase::up) consider(saturating_add(each.last_seen, options_.longest_silence));
+            if (each.at == phase::up) consider(saturating_add(each.last_seen, longest_silence(each)));
             if (master_.idle()) consider(next_work_of(each));
         }
         return next;
@@ -206,6 +207,9 @@ class ring {
     [[nodiscard]] duration interval() const noexcept {
         return has_process_data_ ? options_.period : options_.check_interval;
     }
+    [[nodiscard]] static duration longest_silence(const place& at) noexcept {
+        return at.front->timing().longest_silence;
+    }
     [[nodiscard]] duration reserve() const noexcept { return has_process_data_ ? options_.period / 4 : duration{}; }
 
     // A slave that was not reached when all were cleared may still run with the place in the process image that an
@@ -271,7 +275,8 @@ class ring {
         switch (at.at) {
         case phase::absent: return now >= at.next_try && begin_bring_up(at);
         case phase::pre_op:
-            return begin_job(at, work::configure, ethercat::configure{at.front->station(), options_.watchdog});
+            return begin_job(at, work::configure,
+                             ethercat::configure{at.front->station(), at.front->timing().watchdog});
         case phase::configured:
             return begin_job(at, work::safe_op,
                              ethercat::change_state{at.front->station(), ethercat::al_state::safe_op});
@@ -319,7 +324,7 @@ class ring {
         return true;
     }
     bool begin_keep_alive(place& at, time_point now, jaus::message_sink out) {
-        if (at.front->options().cyclic || options_.keep_alive == duration{} || !at.takes_keep_alive ||
+        if (at.front->options().cyclic || at.front->timing().keep_alive == duration{} || !at.takes_keep_alive ||
             now < at.next_keep_alive || at.front->components().empty())
             return false;
         unit_ = at.front->components().front();
@@ -391,7 +396,7 @@ class ring {
     }
     void brought_up(place& at, const ethercat::master_error& error, time_point now) {
         at.bring_up = error;
-        at.next_try = saturating_add(now, options_.bring_up_interval);
+        at.next_try = saturating_add(now, at.front->timing().bring_up_interval);
         if (error != ethercat::master_error{}) return at.front->watcher().bring_up_failed(*at.front, error);
         is_cleared_ = true;
         at.takes_keep_alive = true;
@@ -435,7 +440,7 @@ class ring {
                                  .status = exchange().status(),
                                  .of_master = error};
         const bool answers = was_executed || is_of_slave(error);
-        if (answers) at.next_keep_alive = saturating_add(now, options_.keep_alive);
+        if (answers) at.next_keep_alive = saturating_add(now, at.front->timing().keep_alive);
         const auto report = std::span{packet_}.first(was_executed ? step.size : 0);
         job_.reset();
         switch (purpose_) {
@@ -524,7 +529,7 @@ class ring {
         for (const component* unit : at.front->components())
             if (const auto what = unit->stops().next(); what && !stops_by_process_data(*unit, *what))
                 consider(unit->stops().next_attempt());
-        if (!at.front->options().cyclic && at.takes_keep_alive && options_.keep_alive != duration{})
+        if (!at.front->options().cyclic && at.takes_keep_alive && at.front->timing().keep_alive != duration{})
             consider(at.next_keep_alive);
         return next;
     }
@@ -533,7 +538,7 @@ class ring {
         if (at.at == phase::absent) return; // its last job has ended only now
         const bool was_up = at.front->up();
         at.at = phase::absent;
-        at.next_try = was_up ? now : saturating_add(now, options_.bring_up_interval);
+        at.next_try = was_up ? now : saturating_add(now, at.front->timing().bring_up_interval);
         std::array<bool, component_capacity> were_up{};
         std::ranges::transform(at.front->components(), were_up.begin(), [](auto* unit) { return unit->is_up(); });
         at.front->set_up(false);
@@ -616,7 +621,7 @@ class ring {
                 lose(each, loss::no_station, {.code = ethercat::master_errc::duplicate_station}, now, out);
             else if (seen.condition != silent && !works_in(each, seen.al.state))
                 lose(each, loss::left_state, state, now, out);
-            else if (now - each.last_seen >= options_.longest_silence)
+            else if (now - each.last_seen >= longest_silence(each))
                 lose(each, loss::no_answer, {.code = ethercat::master_errc::no_reply}, now, out);
         }
     }
@@ -673,7 +678,7 @@ class ring {
         const auto what = is_awaited ? *next : stop_order::rest;
         const auto waiting = process.waiting_stop();
         if (waiting == what || waiting == stop_order::emergency || (process.has_rest_outputs() && !is_awaited)) return;
-        const auto limit = is_awaited ? std::optional{options_.longest_silence} : std::nullopt;
+        const auto limit = is_awaited ? std::optional{unit.front().timing().longest_silence} : std::nullopt;
         const auto number = process.stop(what, limit, now, [&](const jaus::header& head) {
             unit.on_not_executed(head, {.why = refusal::stopped}, now, out);
         });
@@ -698,14 +703,14 @@ class ring {
     std::optional<refusal_reason> put_command(component& unit, process_channel& process, const jaus::header& head,
                                               bytes body, time_point now) {
         if (process.is_full()) return refusal_reason{.why = refusal::queue_full};
-        const auto number = process.command(head, body, options_.longest_silence, now);
+        const auto number = process.command(head, body, unit.front().timing().longest_silence, now);
         if (!number) return refusal_reason{.why = refusal::not_translated, .error = number.error()};
         unit.front().watcher().into_image(unit.front(), *number, unit.front().data().outputs);
         return std::nullopt;
     }
     void answer(component& unit, process_channel& process, const jaus::header& query, bytes body, time_point now,
                 jaus::message_sink out) {
-        if (!process.has_inputs_within(options_.longest_silence, now))
+        if (!process.has_inputs_within(unit.front().timing().longest_silence, now))
             return unit.on_not_executed(query, {.why = refusal::stale}, now, out);
         jaus::header head = query;
         head.destination = unit.self();                          // also where all of a level are meant

@@ -187,6 +187,7 @@ class bridge_state final : public std::enable_shared_from_this<bridge_state> {
     [[nodiscard]] const std::shared_ptr<bus_state>& bus() const noexcept { return bus_; }
     [[nodiscard]] node_state& node() noexcept { return node_; }
     [[nodiscard]] const bridge_options& options() const noexcept { return options_; }
+    [[nodiscard]] const bridging::bridge_options& timing() const noexcept { return timing_; }
     /// Whether a slave has confirmed at the end.
     void note_rest(bool is_confirmed) noexcept { ended_at_rest_ = ended_at_rest_.value_or(true) && is_confirmed; }
     /// Sends the message later: not within the ring's turn, because a receiver in this program may end the bridge.
@@ -212,6 +213,7 @@ class bridge_state final : public std::enable_shared_from_this<bridge_state> {
     std::shared_ptr<bus_state> bus_;
     exchange_maker make_;
     bridge_options options_;
+    bridging::bridge_options timing_;
     std::deque<served_slave> slaves_{};
     std::deque<bridged_component> components_{};
     std::vector<std::vector<std::byte>> outbox_{};

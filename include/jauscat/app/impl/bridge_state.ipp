@@ -57,11 +57,10 @@ inline bridging::bridge_options timing_of(const bridge_options& options) {
 
 JAUSCAT_DECL bridge_state::bridge_state(node_state& of, std::shared_ptr<bus_state> on, exchange_maker make,
                                         const bridge_options& options)
-    : node_{of}, bus_{std::move(on)}, make_{make}, options_{options} {
+    : node_{of}, bus_{std::move(on)}, make_{make}, options_{options}, timing_{timing_of(options)} {
     if (&node_.context() != &bus_->context())
         throw std::invalid_argument{"bridge: node and bus have different io_contexts"};
-    if (!bus_->set_timing(timing_of(options_)))
-        throw std::invalid_argument{"bridge: another bridge of this bus has other options"};
+    bus_->add_timing(timing_);
 }
 
 JAUSCAT_DECL void bridge_state::serve(const served_component& component, std::span<const slave_choice> by,
@@ -150,7 +149,7 @@ JAUSCAT_DECL void bridge_state::close() noexcept {
     const auto locked = bus_->lock();
     is_closed_ = true;
     for (const auto& each : slaves_) bus_->release_station(each.station());
-    bus_->release_timing();
+    bus_->release_timing(timing_);
     on_up = nullptr;
     on_lost = nullptr;
     on_changed = nullptr;
@@ -226,7 +225,7 @@ JAUSCAT_DECL void bridged_component::start(bridge_state& of) {
     if (unit) return;
     const auto identity = net::detail::identity_of(of.node().net().config(), self_, {.authority_code = authority_});
     const jaus::component_options options{
-        .control = {.authority_code = identity.authority_code, .timeout = bus_.timing().control_timeout}};
+        .control = {.authority_code = identity.authority_code, .timeout = of.timing().control_timeout}};
     std::vector<bridging::slave_front*> fronts;
     for (auto* const each : slaves_) fronts.push_back(&each->front());
     if (part_)
@@ -268,12 +267,11 @@ JAUSCAT_DECL std::string served_slave::name() const {
 JAUSCAT_DECL void served_slave::start() {
     if (works_) return;
     auto& node = bridge_.node().net();
-    const auto& timing = bridge_.bus()->timing();
     front_.emplace(bridging::slave_options{.position = which_.position.value_or(0),
                                            .identity = {.subsystem = node.manager().subsystem, .station = station_},
                                            .cyclic = bridge_.options().period > duration{},
                                            .node = node.manager().node},
-                   *exchange_, timing, memory_, observer());
+                   *exchange_, bridge_.timing(), memory_, observer());
     works_ = true;
     last_problem_.clear();
 }

@@ -104,10 +104,10 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
 
     // For bridges.
 
-    /// False if another bridge has set other times. They are kept until all have released them.
-    [[nodiscard]] bool set_timing(bridging::bridge_options timing);
-    void release_timing() noexcept { --timed_; }
-    [[nodiscard]] const bridging::bridge_options& timing() const noexcept { return timing_; }
+    /// Sets what the bus decides in the times of a bridge, and keeps to them from now on: the cycles have the shortest
+    /// period of all. They live until they are released.
+    void add_timing(bridging::bridge_options& timing);
+    void release_timing(const bridging::bridge_options& timing) noexcept;
     /// A station address that no other slave of a bridge has: that of the node, or else one from 254 down.
     [[nodiscard]] std::uint16_t reserve_station(std::uint16_t node);
     void release_station(std::uint16_t station) noexcept { std::erase(stations_, station); }
@@ -166,6 +166,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     void ask(const slave_choice& which, operation_ptr<Results...> done, Make make, Take take);
     void add(std::unique_ptr<bus_job> job, duration limit);
     void open();
+    void apply_timings() noexcept;
     void send(std::span<const std::byte> message);
     bool begin_job(ethercat::master& master);
     void end_job(ethercat::master& master);
@@ -190,7 +191,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     ring_output output_{*this};
     std::vector<bus_user*> users_{};
     std::vector<std::uint16_t> stations_{}; ///< of slaves of bridges
-    unsigned timed_{};                      ///< bridges
+    std::vector<const bridging::bridge_options*> timings_{};
     std::optional<net::detail::wake_timer> timer_{};
     std::optional<net::ring_runner<net::any_link>> runner_{};
     std::unique_ptr<ring_thread> thread_{}; ///< in place of timer and runner

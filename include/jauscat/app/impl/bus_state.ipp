@@ -736,18 +736,34 @@ JAUSCAT_DECL void bus_state::note_emergencies(bus_slave& slave, ethercat::master
 
 // ---- Bridges.
 
-JAUSCAT_DECL bool bus_state::set_timing(bridging::bridge_options timing) {
+JAUSCAT_DECL void bus_state::add_timing(bridging::bridge_options& timing) {
     const auto locked = lock();
     const auto common = timing_of(options_);
     timing.master.frame_timeout = common.master.frame_timeout;
     timing.master.frames_may_be_copied = common.master.frames_may_be_copied;
     timing.master.retries = common.master.retries;
     timing.download = common.download;
-    if (timed_ != 0 && (timing.period != timing_.period || timing.watchdog != timing_.watchdog)) return false;
-    ++timed_;
-    timing_ = timing;
+    timings_.push_back(&timing);
+    apply_timings();
+}
+JAUSCAT_DECL void bus_state::release_timing(const bridging::bridge_options& timing) noexcept {
+    const auto locked = lock();
+    std::erase(timings_, &timing);
+    apply_timings();
+}
+JAUSCAT_DECL void bus_state::apply_timings() noexcept {
+    auto all = timing_of(options_);
+    const auto shorten = [](duration& time, duration other) {
+        if (other > duration{} && (time == duration{} || other < time)) time = other;
+    };
+    for (const auto* const each : timings_) {
+        shorten(all.period, each->period);
+        shorten(all.check_interval, each->check_interval);
+        shorten(all.master.state_timeout, each->master.state_timeout);
+        shorten(all.master.mailbox_timeout, each->master.mailbox_timeout);
+    }
+    timing_ = all;
     if (ring_) ring_->apply_options();
-    return true;
 }
 
 JAUSCAT_DECL std::uint16_t bus_state::reserve_station(std::uint16_t node) {
