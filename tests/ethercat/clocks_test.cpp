@@ -1,5 +1,6 @@
 // Distributed clocks: topology, delays, offsets and drift of emulated slaves on cables, in simulated time.
 #include "ethercat/clock_bench.hpp"
+#include "support/catch.hpp"
 
 #include <array>
 #include <cstdlib>

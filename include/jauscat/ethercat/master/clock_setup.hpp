@@ -148,12 +148,7 @@ class clock_setup {
         if (reference_ == slaves_.size()) return fail({.code = master_errc::no_clock});
         if (result_ = find_parents(slaves_); !result_) return progress::done;
         if (result_ = find_delays(slaves_, options_.delay); !result_) return progress::done;
-        // Time of the reference clock when the frame passed it: its own if it runs already.
-        auto time = latched_;
-        if (const auto& first = reference(); first.runs) {
-            time = first.processing_time + static_cast<std::uint64_t>(first.offset);
-            if (first.width == clock_width::bits_32) time = extend_time(static_cast<std::uint32_t>(time), latched_);
-        }
+        const auto time = time_of_latch();
         reference_time_ = time;
         network_ = {.reference = reference().station, .reference_width = reference().width};
         for (auto& slave : slaves_) {
@@ -162,6 +157,15 @@ class clock_setup {
             if (!slave.runs) slave.offset = static_cast<std::int64_t>(time + slave.delay - slave.processing_time);
         }
         return go(step::write);
+    }
+
+    // Time of the reference clock when the frame passed it: that of the clocks that run, the master's if none does.
+    [[nodiscard]] std::uint64_t time_of_latch() const noexcept {
+        const auto first =
+            std::ranges::find_if(slaves_, [](const auto& each) { return each.has_clock() && each.runs; });
+        if (first == slaves_.end()) return latched_;
+        const auto time = first->processing_time + static_cast<std::uint64_t>(first->offset) - first->delay;
+        return first->width == clock_width::bits_64 ? time : extend_time(static_cast<std::uint32_t>(time), latched_);
     }
 
     progress drift(unsigned frames) noexcept {

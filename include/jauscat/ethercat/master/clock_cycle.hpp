@@ -1,0 +1,169 @@
+// The first frame of each cycle of a bus with distributed clocks: distributes the reference time, watches the
+// differences, and gives the correction by which the master's cycles follow.
+#pragma once
+
+#include <jauscat/ethercat/frame_builder.hpp>
+#include <jauscat/ethercat/frame_view.hpp>
+#include <jauscat/ethercat/master/clock_jobs.hpp>
+#include <jauscat/ethercat/master/clock_topology.hpp>
+#include <jauscat/ethercat/master/cycle_control.hpp>
+#include <jauscat/ethercat/master/outstanding_frame.hpp>
+#include <jauscat/schema/ethercat/dc_registers.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// When differences and silence count.
+struct clock_watch_options {
+    cycle_control_options control{};
+    /// After so many cycles without an answer of the reference clock, the next slave with a clock takes its place.
+    unsigned silent_cycles{3};
+    std::uint32_t warning_limit{1'000}; ///< ns
+    unsigned warning_cycles{100};       ///< in a row with a larger difference
+    std::uint32_t error_limit{10'000};  ///< ns, in one cycle
+};
+
+/// How well the clocks agree.
+enum class clock_agreement : std::uint8_t {
+    good,
+    warning, ///< the differences have been beyond the warning limit for some time
+    error,   ///< they are beyond the error limit
+};
+
+/// Frames of the cycles, and what they have found.
+struct clock_statistics {
+    std::uint64_t sent{};
+    std::uint64_t lost{};       ///< not back before the next cycle
+    std::uint64_t unanswered{}; ///< without the reference clock's time
+    std::uint64_t takeovers{};  ///< of another slave as reference clock
+};
+
+/// One frame per cycle, sent first: FRMW of the reference clock's system time to all slaves, and the differences of all
+/// slaves (092Ch, or-ed). Runs beside process_data and a master on the same link: pass each received frame to
+/// `on_frame` of all three in turn, until one accepts it.
+class clock_cycle {
+  public:
+    /// `slaves` as set_up_clocks has left them, which has given `network`; they outlive this. `system_time` is the
+    /// reference clock's now, within 2 s.
+    clock_cycle(std::span<const clock_record> slaves, const clock_network& network, std::uint64_t system_time,
+                const clock_watch_options& options = {}) noexcept
+        : slaves_{slaves},
+          reference_{reference_clock(slaves)},
+          options_{options},
+          control_{options.control},
+          time_{system_time},
+          expected_counter_{network.working_counter} {}
+
+    /// A cycle begins: writes its frame to `out`, at least 60 bytes, and returns its size; 0 where no clock is left.
+    [[nodiscard]] std::size_t next_frame(std::span<std::byte> out, time_point now) noexcept {
+        if (outstanding_.waits()) ++statistics_.lost;
+        outstanding_.forget();
+        has_time_ = returned_ = false;
+        time_ += static_cast<std::uint64_t>(options_.control.period.count());
+        if (is_lost()) return 0;
+        frame_builder frame{out, ++index_};
+        // Slaves that the reference clock's time does not reach take the estimate instead.
+        frame.add(command::frmw, slaves_[reference_].station, esc_registers::dc_system_time.address, dc_time{time_});
+        frame.read_all(esc_registers::dc_difference);
+        const auto finished = frame.finish();
+        if (!finished) return 0;
+        outstanding_.sent(*finished, now);
+        ++statistics_.sent;
+        return finished->size();
+    }
+
+    /// Takes a frame that arrived. False if it is none of ours.
+    bool on_frame(std::span<const std::byte> frame) noexcept {
+        frame_view view;
+        if (!view.parse(frame) || !begins_as_ours(view)) return false;
+        const auto datagrams = outstanding_.waits() ? outstanding_.match(view) : replies{};
+        if (datagrams.empty()) return outstanding_.may_be_own(view);
+        returned_ = true;
+        working_counter_ = datagrams[0].working_counter;
+        take_time(datagrams[0].value(esc_registers::dc_system_time).value);
+        if (datagrams[1].working_counter != 0) judge(datagrams[1].value(esc_registers::dc_difference).magnitude);
+        return true;
+    }
+
+    /// The cycle ends. Returns by how much later than after one period the next one is due.
+    duration end_cycle() noexcept {
+        if (returned_ && !has_time_) silent();
+        if (has_time_) silent_ = 0;
+        return has_time_ ? control_.on_time(time_) : control_.on_missing();
+    }
+
+    /// The frame of this cycle is not back yet.
+    [[nodiscard]] bool waits() const noexcept { return outstanding_.waits(); }
+    /// Whether the cycles follow the reference clock.
+    [[nodiscard]] const cycle_control& control() const noexcept { return control_; }
+    /// The reference clock's time when the last frame passed it, in ns since 2000-01-01; an estimate if it did not
+    /// answer.
+    [[nodiscard]] std::uint64_t reference_time() const noexcept { return time_; }
+    /// Place of the reference clock; the number of slaves where none is left.
+    [[nodiscard]] std::size_t reference() const noexcept { return reference_; }
+    /// Another slave's clock is the reference: the first one's, once it has been set up again.
+    void set_reference(std::size_t place) noexcept {
+        reference_ = place;
+        silent_ = 0;
+    }
+    /// No slave is left whose clock could be the reference: switch SYNC off, or leave OP.
+    [[nodiscard]] bool is_lost() const noexcept { return reference_ == slaves_.size(); }
+    /// As many slaves have taken the time as when the clocks were set up.
+    [[nodiscard]] bool is_complete() const noexcept { return returned_ && working_counter_ == expected_counter_; }
+    /// An upper bound of all differences from the reference clock in the last cycle, in ns; at most twice the largest.
+    [[nodiscard]] std::uint32_t difference() const noexcept { return difference_; }
+    [[nodiscard]] clock_agreement agreement() const noexcept { return agreement_; }
+    [[nodiscard]] const clock_statistics& statistics() const noexcept { return statistics_; }
+
+  private:
+    [[nodiscard]] static bool begins_as_ours(const frame_view& frame) noexcept {
+        const auto first = frame.begin();
+        return (*first).header.cmd == command::frmw && (*first).header.more;
+    }
+
+    // The estimate itself comes back where the reference clock has not answered.
+    void take_time(std::uint64_t time) noexcept {
+        if (time == time_) return;
+        has_time_ = true;
+        const bool is_wide = slaves_[reference_].width == clock_width::bits_64;
+        time_ = is_wide ? time : extend_time(static_cast<std::uint32_t>(time), time_);
+    }
+    void judge(std::uint32_t difference) noexcept {
+        difference_ = difference;
+        above_ = difference > options_.warning_limit ? above_ + 1 : 0;
+        agreement_ = difference > options_.error_limit   ? clock_agreement::error
+                     : above_ >= options_.warning_cycles ? clock_agreement::warning
+                                                         : clock_agreement::good;
+    }
+    // Another clock reads as the lost one's time, because its delay from there is subtracted: its slaves' delays stay.
+    void silent() noexcept {
+        ++statistics_.unanswered;
+        if (++silent_ < options_.silent_cycles) return;
+        silent_ = 0;
+        ++reference_;
+        while (reference_ != slaves_.size() && !slaves_[reference_].has_clock()) ++reference_;
+        if (!is_lost()) ++statistics_.takeovers;
+    }
+
+    std::span<const clock_record> slaves_;
+    std::size_t reference_;
+    clock_watch_options options_;
+    cycle_control control_;
+    std::uint64_t time_;
+    std::uint16_t expected_counter_, working_counter_{};
+    outstanding_frame<2> outstanding_{};
+    std::uint8_t index_{};
+    bool has_time_{}, returned_{};
+    unsigned silent_{}; // cycles
+    std::uint32_t difference_{};
+    unsigned above_{}; // cycles beyond the warning limit
+    clock_agreement agreement_{};
+    clock_statistics statistics_{};
+};
+
+} // namespace jauscat::ethercat

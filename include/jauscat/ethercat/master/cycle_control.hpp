@@ -1,0 +1,94 @@
+// Lets the cycles of a master follow the reference clock of its slaves.
+#pragma once
+
+#include <jauscat/base/time.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+
+namespace jauscat::ethercat {
+
+/// How the cycles follow. The defaults suit a period of 1 ms and a start that jitters by some ten microseconds.
+struct cycle_control_options {
+    duration period{std::chrono::milliseconds{1}}; ///< of the cycles
+    /// Reference time, modulo the period, at which the frame is to pass the reference clock. SYNC0 comes at multiples
+    /// of the period plus its shift: keep half a period between the two.
+    duration phase{std::chrono::microseconds{500}};
+    unsigned proportional{20};                                  ///< a cycle corrects 1 / `proportional` of the error
+    unsigned integral{2'000};                                   ///< and 1 / `integral` of the sum of the errors
+    duration largest_correction{std::chrono::microseconds{20}}; ///< of one cycle
+    /// A single error beyond this counts as a frame that was late, and corrects nothing, while the cycles are locked.
+    duration outlier{std::chrono::microseconds{150}};
+    duration lock_within{std::chrono::microseconds{8}}; ///< the mean error of `lock_after` cycles in a row
+    unsigned lock_after{500};
+    duration lose_beyond{std::chrono::microseconds{20}}; ///< the mean error of `lose_after` cycles in a row
+    unsigned lose_after{200};
+};
+
+/// A controller with a proportional and an integral part. Each cycle's reference time in, the correction of the next
+/// cycle's start out.
+class cycle_control {
+  public:
+    explicit cycle_control(const cycle_control_options& options = {}) noexcept : options_{options} {}
+
+    /// The reference clock's time when the last cycle's frame passed. Returns by how much later than after one period
+    /// the next cycle is due.
+    duration on_time(std::uint64_t reference_time) noexcept {
+        const auto period = std::max<std::int64_t>(options_.period.count(), 1);
+        const auto since = static_cast<std::int64_t>(reference_time % static_cast<std::uint64_t>(period));
+        auto error = (since - options_.phase.count()) % period; // above 0: the frame is late
+        if (error > period / 2) error -= period;
+        if (error <= -((period + 1) / 2)) error += period;
+        error_ = duration{error};
+        watch();
+        if (is_locked_ && std::chrono::abs(error_) > options_.outlier) return on_missing();
+        // Two oscillators are never further apart than 1000 ppm.
+        const auto most = period * std::int64_t{integral()} / 1'000;
+        sum_ = std::clamp(sum_ + error, -most, most);
+        const duration wanted{-error / std::max(std::int64_t{options_.proportional}, std::int64_t{1}) - steady()};
+        return std::clamp(wanted, -options_.largest_correction, options_.largest_correction);
+    }
+    /// There is no reference time of the last cycle: the correction that its clock's drift needs.
+    duration on_missing() noexcept { return duration{-steady()}; }
+
+    /// The cycles follow the reference clock: slaves may go to OP.
+    [[nodiscard]] bool is_locked() const noexcept { return is_locked_; }
+    /// Of the last cycle; above 0: the frame was late.
+    [[nodiscard]] duration error() const noexcept { return error_; }
+    /// Moving average.
+    [[nodiscard]] duration mean_error() const noexcept { return duration{mean_ / mean_scale}; }
+    /// How much faster this clock is than the reference clock, in parts per billion.
+    [[nodiscard]] std::int64_t drift() const noexcept {
+        return -steady() * 1'000'000'000 / std::max<std::int64_t>(options_.period.count(), 1);
+    }
+
+  private:
+    static constexpr std::int64_t mean_scale = 16;
+
+    [[nodiscard]] std::int64_t integral() const noexcept { return std::max(options_.integral, 1u); }
+    [[nodiscard]] std::int64_t steady() const noexcept { return sum_ / integral(); }
+
+    void watch() noexcept {
+        mean_ += (error_.count() * mean_scale - mean_) / 10;
+        const auto size = std::chrono::abs(mean_error());
+        if (is_locked_) {
+            count_ = size > options_.lose_beyond || std::chrono::abs(error_) > options_.outlier ? count_ + 1 : 0;
+            if (count_ < options_.lose_after) return;
+        } else {
+            count_ = size < options_.lock_within ? count_ + 1 : 0;
+            if (count_ < options_.lock_after) return;
+        }
+        is_locked_ = !is_locked_;
+        count_ = 0;
+    }
+
+    cycle_control_options options_;
+    std::int64_t sum_{};  // of the errors
+    std::int64_t mean_{}; // in 1 / mean_scale ns
+    duration error_{};
+    unsigned count_{}; // cycles that speak for the other state
+    bool is_locked_{};
+};
+
+} // namespace jauscat::ethercat
