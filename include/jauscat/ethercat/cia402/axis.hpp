@@ -174,6 +174,10 @@ class axis {
         default: return torque_ == torque_goal_;
         }
     }
+    /// The last velocity is at most `axis_options::standstill`.
+    [[nodiscard]] constexpr bool is_at_standstill() const noexcept {
+        return detail::magnitude(feedback_.velocity) <= options_.standstill;
+    }
     /// The drive reports that a limit of its own is active.
     [[nodiscard]] constexpr bool is_limited_by_drive() const noexcept { return has_bit(status_bits::internal_limit); }
 
@@ -224,9 +228,6 @@ class axis {
     [[nodiscard]] constexpr bool has_bit(std::uint16_t bit) const noexcept { return (feedback_.statusword & bit) != 0; }
     [[nodiscard]] constexpr bool has_fault() const noexcept {
         return has_feedback_ && (seen_ == ds::fault || seen_ == ds::fault_reaction_active);
-    }
-    [[nodiscard]] constexpr bool is_at_standstill() const noexcept {
-        return detail::magnitude(feedback_.velocity) <= options_.standstill;
     }
     [[nodiscard]] constexpr double velocity_factor() const noexcept { return options_.velocity_of_position; }
     [[nodiscard]] constexpr double seconds() const noexcept {
