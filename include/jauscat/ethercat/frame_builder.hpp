@@ -55,6 +55,7 @@ class frame_builder {
             return {};
         }
         last_ = end_;
+        ++datagrams_;
         const auto body =
             out_.subspan(end_ + wire::max_size<datagram_header>, header.length + wire::max_size<datagram_trailer>);
         std::ranges::fill(body, std::byte{});
@@ -102,6 +103,11 @@ class frame_builder {
         add(command::bwr, 0, at.address, value);
     }
 
+    /// Datagrams that were added.
+    [[nodiscard]] constexpr std::size_t datagrams() const noexcept { return datagrams_; }
+    /// Bytes left for datagrams, their overhead included.
+    [[nodiscard]] constexpr std::size_t room() const noexcept { return out_.size() - end_; }
+
     /// Writes the length and pads with zeros to 60 bytes. Returns the frame, without check sequence.
     /// Errors: empty, no_space, field_out_of_range.
     [[nodiscard]] constexpr result<std::span<std::byte>, frame_errc> finish() noexcept {
@@ -128,6 +134,7 @@ class frame_builder {
     std::uint8_t index_, next_index_;
     frame_errc error_{};
     std::size_t end_ = frame_header_size;
+    std::size_t datagrams_{};
     std::size_t last_ = 0; // where the last datagram starts; 0: none yet
 };
 

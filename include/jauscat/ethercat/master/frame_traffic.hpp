@@ -24,6 +24,9 @@ struct master_statistics {
 /// Does not look into frames. The master asks before it sends, and reports what it has sent.
 class frame_traffic {
   public:
+    /// Datagrams of a frame.
+    static constexpr std::size_t max_datagrams = 64;
+
     /// With the times and the retries of `config`.
     explicit frame_traffic(const master_config& config) noexcept : config_{config} {}
 
@@ -102,7 +105,7 @@ class frame_traffic {
     }
 
     master_config config_;
-    outstanding_frame<15> outstanding_{};
+    outstanding_frame<max_datagrams> outstanding_{};
     std::uint8_t index_{};
     unsigned losses_{}; // in a row
     bool repeats_{};    // the next frame asks again what the lost one asked

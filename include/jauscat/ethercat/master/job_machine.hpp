@@ -8,6 +8,7 @@
 #include <jauscat/ethercat/master/jobs.hpp>
 #include <jauscat/ethercat/master/mailbox_exchange.hpp>
 #include <jauscat/ethercat/master/mailbox_session.hpp>
+#include <jauscat/ethercat/master/parallel_steps.hpp>
 #include <jauscat/ethercat/master/process_setup.hpp>
 #include <jauscat/ethercat/master/ring_scan.hpp>
 #include <jauscat/ethercat/master/sdo_information.hpp>
@@ -31,9 +32,10 @@ struct ring_knowledge {
     slave_list slaves;
 };
 
-/// The state machine of a job. `begin` takes the job, or says why it has ended at once; `request` adds the datagrams of
-/// the present step and `reply` takes their return; `complete`, after `progress::done`, updates what is known and says
-/// how the job has ended; `value` is what it gives. `ring` stays in place from `begin` to `complete`.
+/// The state machine of a job. `begin` takes the job, or says why it has ended at once, as does `is_done` where there
+/// is nothing to do; `request` adds the datagrams of the present step and `reply` takes their return; `complete`, after
+/// `progress::done`, updates what is known and says how the job has ended; `value` is what it gives. `ring` stays in
+/// place from `begin` to `complete`.
 template <class Job> class job_machine;
 
 /// A job that a state machine can do.
@@ -109,34 +111,108 @@ template <> class job_machine<scan> : public detail::plain_machine<ring_scan> {
     [[nodiscard]] std::size_t value() const noexcept { return steps_.slaves(); }
 };
 
+namespace detail {
+
+/// Makes the master ready to bring a slave up: what it knows of the slave, or of another one at its address, is away
+/// until then.
+[[nodiscard]] inline slave_bring_up begin_bring_up(const bring_up& job, slave_list& slaves) noexcept {
+    const auto* before = slaves.find(job.station);
+    const bool is_ours = before != nullptr && before->position != job.position; // another slave is to have it
+    if (before == nullptr) before = slaves.find_away(job.station);
+    const auto known = before != nullptr ? *before : slave_record{};
+    slaves.remove(job.position, job.station);
+    if (before != nullptr) slaves.add_away(known);
+    return {job.position, job.station, job.identity, !is_ours};
+}
+/// The record of a slave that is up; it is in the list then.
+inline slave_record complete_bring_up(slave_record slave, slave_list& slaves) noexcept {
+    if (const auto* const before = slaves.find_away(slave.station)) {
+        slave.process_data = before->process_data; // it keeps its place in the image
+        slave.unfinished = before->unfinished;     // a change of state does not end it in every slave
+        slave.last_counter = before->last_counter; // some slaves keep it, and drop a message with the same one
+    }
+    slaves.remove(slave.position, slave.station);
+    slaves.add(slave);
+    return slave;
+}
+
+/// Work on many slaves. The places keep their errors.
+template <class Place> class parallel_machine {
+  public:
+    using steps = parallel_steps<Place>;
+    void request(frame_builder& frame) noexcept { steps_.request(frame); }
+    [[nodiscard]] static constexpr bool was_refused() noexcept { return false; }
+    [[nodiscard]] static constexpr bool is_repeatable() noexcept { return true; }
+    static constexpr void lost() noexcept {}
+    [[nodiscard]] master_error cancel(const master_error& why) noexcept {
+        steps_.cancel(why);
+        return why;
+    }
+    [[nodiscard]] static master_error complete(ring_knowledge&) noexcept { return {}; }
+    /// Whether there is nothing to do.
+    [[nodiscard]] bool is_done() const noexcept { return steps_.is_done(); }
+    /// Slaves without an error.
+    [[nodiscard]] std::size_t value() const noexcept {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(places_, [](const Place& each) { return each.error == master_error{}; }));
+    }
+
+  protected:
+    std::span<Place> places_{};
+    steps steps_{};
+};
+
+} // namespace detail
+
 template <> class job_machine<bring_up> : public detail::plain_machine<slave_bring_up> {
   public:
     [[nodiscard]] master_error begin(const bring_up& job, ring_knowledge& ring, const master_config&) noexcept {
-        const auto* before = ring.slaves.find(job.station);
-        const bool is_ours = before != nullptr && before->position != job.position; // another slave is to have it
-        if (before == nullptr) before = ring.slaves.find_away(job.station);
-        before_ = before != nullptr ? *before : slave_record{};
-        ring.slaves.remove(job.position, job.station);
-        if (before_.station == job.station) ring.slaves.add_away(before_);
-        steps_ = slave_bring_up{job.position, job.station, job.identity, !is_ours};
-        if (before_.station != job.station && ring.slaves.full()) return {.code = master_errc::too_many_slaves};
+        steps_ = detail::begin_bring_up(job, ring.slaves);
+        if (ring.slaves.full() && ring.slaves.find_away(job.station) == nullptr)
+            return {.code = master_errc::too_many_slaves};
         return {};
     }
     [[nodiscard]] master_error complete(ring_knowledge& ring) noexcept {
         if (!steps_.result()) return steps_.result().error();
-        slave_ = steps_.slave();
-        slave_.process_data = before_.process_data; // it keeps its place in the image
-        slave_.unfinished = before_.unfinished;     // a change of state does not end it in every slave
-        slave_.last_counter = before_.last_counter; // some slaves keep it, and drop a message with the same one
-        ring.slaves.remove(slave_.position, slave_.station);
-        ring.slaves.add(slave_);
+        slave_ = detail::complete_bring_up(steps_.slave(), ring.slaves);
         return {};
     }
     [[nodiscard]] const slave_record& value() const noexcept { return slave_; }
 
   private:
-    slave_record before_{}; // of the slave that had the address
     slave_record slave_{};
+};
+
+template <> class job_machine<bring_up_all> : public detail::parallel_machine<bring_up_place> {
+  public:
+    [[nodiscard]] master_error begin(const bring_up_all& job, ring_knowledge& ring, const master_config&) noexcept {
+        slaves_ = &ring.slaves;
+        places_ = job.places;
+        steps_ = steps{job.places};
+        for (std::size_t i = 0; i != places_.size(); ++i) {
+            auto& each = places_[i];
+            const auto is_same = [&](const bring_up_place& other) {
+                return other.slave.station == each.slave.station || other.slave.position == each.slave.position;
+            };
+            if (std::ranges::any_of(places_.first(i), is_same))
+                each.error = {.code = master_errc::duplicate_station};
+            else
+                steps_.begin(each, detail::begin_bring_up(each.slave, *slaves_));
+        }
+        return {};
+    }
+    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
+        return steps_.reply(datagrams, now, config, [&](bring_up_place& place, const slave_bring_up& work) {
+            if (place.error != master_error{}) return;
+            if (slaves_->full() && slaves_->find_away(place.slave.station) == nullptr)
+                place.error = {.code = master_errc::too_many_slaves};
+            else
+                detail::complete_bring_up(work.slave(), *slaves_);
+        });
+    }
+
+  private:
+    slave_list* slaves_{};
 };
 
 template <> class job_machine<configure> {
@@ -190,17 +266,40 @@ template <> class job_machine<configure> {
     bool uploads_{};
 };
 
+namespace detail {
+
+/// Whether a slave may be taken to a state; it is not drained then.
+[[nodiscard]] inline master_error begin_change(slave_list& slaves, std::uint16_t station, al_state goal) noexcept {
+    slave_record* slave{};
+    if (const auto wrong = choose(slaves, station, slave); wrong != master_error{}) return wrong;
+    slave->drained = false;
+    if (!is_known(goal)) return {.code = master_errc::al_error, .al_status = al_status_code::unknown_state};
+    if (goal == al_state::op && slave->watchdog == slave->watchdog.zero()) return {.code = master_errc::not_configured};
+    return {};
+}
+
+} // namespace detail
+
 template <> class job_machine<change_state> : public detail::plain_machine<state_change> {
   public:
     [[nodiscard]] master_error begin(const change_state& job, ring_knowledge& ring, const master_config&) noexcept {
-        slave_record* slave{};
-        if (const auto wrong = detail::choose(ring.slaves, job.station, slave); wrong != master_error{}) return wrong;
-        slave->drained = false;
         steps_ = state_change{job.station, job.goal};
-        if (!is_known(job.goal)) return {.code = master_errc::al_error, .al_status = al_status_code::unknown_state};
-        if (job.goal == al_state::op && slave->watchdog == slave->watchdog.zero())
-            return {.code = master_errc::not_configured};
+        return detail::begin_change(ring.slaves, job.station, job.goal);
+    }
+};
+
+template <> class job_machine<change_states> : public detail::parallel_machine<state_place> {
+  public:
+    [[nodiscard]] master_error begin(const change_states& job, ring_knowledge& ring, const master_config&) noexcept {
+        places_ = job.places;
+        steps_ = steps{job.places};
+        for (auto& each : places_)
+            if (each.error = detail::begin_change(ring.slaves, each.station, job.goal); each.error == master_error{})
+                steps_.begin(each, state_change{each.station, job.goal});
         return {};
+    }
+    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
+        return steps_.reply(datagrams, now, config, [](const state_place&, const state_change&) {});
     }
 };
 
@@ -344,10 +443,10 @@ template <> class job_machine<start_sync> : public detail::plain_machine<sync_se
 
 /// The machine of the job that runs, or of the last one; none before the first one.
 using any_job_machine =
-    std::variant<std::monostate, job_machine<scan>, job_machine<bring_up>, job_machine<configure>,
-                 job_machine<change_state>, job_machine<check>, job_machine<download>, job_machine<upload>,
-                 job_machine<list_objects>, job_machine<describe_object>, job_machine<describe_entry>,
-                 job_machine<collect_emergencies>, job_machine<exchange_datagram>, job_machine<set_up_clocks>,
-                 job_machine<start_sync>>;
+    std::variant<std::monostate, job_machine<scan>, job_machine<bring_up>, job_machine<bring_up_all>,
+                 job_machine<configure>, job_machine<change_state>, job_machine<change_states>, job_machine<check>,
+                 job_machine<download>, job_machine<upload>, job_machine<list_objects>, job_machine<describe_object>,
+                 job_machine<describe_entry>, job_machine<collect_emergencies>, job_machine<exchange_datagram>,
+                 job_machine<set_up_clocks>, job_machine<start_sync>>;
 
 } // namespace jauscat::ethercat

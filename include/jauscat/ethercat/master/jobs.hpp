@@ -4,8 +4,11 @@
 #include <jauscat/ethercat/master/clock_jobs.hpp>
 #include <jauscat/ethercat/master/master_errc.hpp>
 #include <jauscat/ethercat/master/object_descriptions.hpp>
+#include <jauscat/ethercat/master/parallel_steps.hpp>
 #include <jauscat/ethercat/master/sdo_options.hpp>
+#include <jauscat/ethercat/master/slave_bring_up.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
+#include <jauscat/ethercat/master/state_change.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
 #include <jauscat/schema/ethercat/frame.hpp>
 #include <jauscat/schema/ethercat/sdo_information.hpp>
@@ -37,6 +40,23 @@ struct bring_up {
     using result_type = master_result<slave_record>;
 };
 
+/// One of the slaves of bring_up_all: the slave, why it was not brought up, and memory.
+struct bring_up_place : parallel_place<slave_bring_up> {
+    bring_up slave{};
+
+    bring_up_place() noexcept = default;
+    explicit bring_up_place(const bring_up& wanted) noexcept : slave{wanted} {}
+};
+
+/// Brings many slaves to PRE-OP at once: each frame has datagrams for as many of them as fit. Each place has the error
+/// of its slave, as of `bring_up`, which does not stop the others; `duplicate_station` where an earlier place has its
+/// station or position. Gives the number of slaves in PRE-OP; their records
+/// are the master's.
+struct bring_up_all {
+    std::span<bring_up_place> places{};
+    using result_type = master_result<std::size_t>;
+};
+
 /// Finds out what process data a slave in PRE-OP has and sets its SyncManagers and FMMUs up. Gives its place in the
 /// process image, which is then in its record. Errors: those of `upload` and of SII reads, sii_malformed, no_fmmu,
 /// too_many_managers, image_full, watchdog_range, watchdog_not_kept.
@@ -54,6 +74,22 @@ struct change_state {
     std::uint16_t station{};
     al_state goal{};
     using result_type = master_result<>;
+};
+
+/// One of the slaves of change_states: its station address, why it did not take the state, and memory.
+struct state_place : parallel_place<state_change> {
+    std::uint16_t station{};
+
+    state_place() noexcept = default;
+    explicit state_place(std::uint16_t of) noexcept : station{of} {}
+};
+
+/// Takes many slaves to another state at once, as `change_state` does with one. Each place has the error of its slave,
+/// which does not stop the others. Gives the number of slaves that have reached the state.
+struct change_states {
+    std::span<state_place> places{};
+    al_state goal{};
+    using result_type = master_result<std::size_t>;
 };
 
 /// Reads a slave's AL status and whether its mailbox is full, in one frame, into its record. Gives the AL status.

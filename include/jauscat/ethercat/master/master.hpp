@@ -53,7 +53,10 @@ class master {
         error_ = {};
         frames_.begin();
         auto& machine = machine_.template emplace<job_machine<Job>>();
-        if (const auto wrong = machine.begin(job, ring_, frames_.config()); wrong != master_error{}) finish(wrong);
+        if (const auto wrong = machine.begin(job, ring_, frames_.config()); wrong != master_error{})
+            finish(wrong);
+        else if constexpr (requires { machine.is_done(); })
+            if (machine.is_done()) finish({});
         return {};
     }
 

@@ -15,6 +15,10 @@ namespace jauscat::ethercat {
 /// that is not known the way leads over INIT.
 class state_change {
   public:
+    /// Of a request: bytes and datagrams.
+    static constexpr std::size_t max_request_size = datagram_overhead + wire::max_size<al_status>;
+    static constexpr std::size_t max_request_datagrams = 1;
+
     state_change() noexcept = default;
     /// From whatever state the slave is in to `goal`.
     state_change(std::uint16_t station, al_state goal) noexcept : station_{station}, goal_{goal} {}
