@@ -4,11 +4,13 @@
 #include "support/simulated_link.hpp"
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/master/process_data.hpp>
+#include <jauscat/ethercat/master/slave_matching.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 using namespace jauscat::ethercat;
@@ -172,4 +174,122 @@ TEST_CASE("many slaves come up over a link that loses frames, and a link that is
     CHECK(c.master.slaves().empty());
     c.link.faults = {};
     CHECK(*c.run(bring_up_all{c.places}) == 30);
+}
+
+TEST_CASE("a slave is recognised by its alias, its SII and its explicit device identification") {
+    chain c{3, {.vendor = 1, .product = 0x11, .station_alias = 0x1234, .inputs = state, .device_id = 77}};
+    REQUIRE(*c.run(bring_up_all{c.places}) == 3);
+    auto found = c.run(identify{.station = 2, .device_id = true});
+    REQUIRE(found);
+    CHECK(found->identity.serial == 2);
+    CHECK(found->alias == 0x1234);
+    CHECK(found->stored_alias == 0x1234);
+    CHECK(found->device_id == 77);
+    CHECK(c.devices[1]->state() == al_state::pre_op);
+    CHECK_FALSE(c.devices[1]->status().device_id_loaded);
+    found = c.run(identify{.station = 2});
+    REQUIRE(found);
+    CHECK_FALSE(found->device_id);
+    CHECK(c.run(identify{.station = 9}).error().code == master_errc::wrong_station);
+
+    chain many{64}; // which have no such identification
+    REQUIRE(*many.run(bring_up_all{many.places}) == 64);
+    std::vector<identify_place> places;
+    for (std::uint16_t station = 1; station != 66; ++station) places.emplace_back(station);
+    CHECK(*many.run(identify_all{.places = places, .device_id = true}) == 64);
+    for (std::size_t i = 0; i != 64; ++i) {
+        CHECK(places[i].is.identity.serial == i + 1);
+        CHECK_FALSE(places[i].is.device_id);
+    }
+    CHECK(places[64].error.code == master_errc::wrong_station);
+    CHECK(many.in_state(al_state::pre_op) == 64);
+}
+
+TEST_CASE("slaves that come or go are found while the others run") {
+    chain c{100};
+    auto& devices = c.devices;
+    std::vector<std::unique_ptr<slave>> later;
+    later.push_back(std::move(devices[40]));
+    devices.erase(devices.begin() + 40);
+    c.places.resize(99);
+    REQUIRE(*c.run(bring_up_all{c.places}) == 99);
+    for (std::uint16_t station = 1; station != 100; ++station) {
+        REQUIRE(c.run(configure{station}));
+        REQUIRE(c.run(change_state{station, al_state::op}));
+    }
+    std::array<std::uint16_t, 4> into{};
+    auto found = c.run(locate_slaves{into});
+    REQUIRE(found);
+    CHECK(found->slaves == 99);
+    CHECK(found->known == 99);
+    CHECK(found->unknown.empty());
+
+    devices.insert(devices.begin() + 40, std::move(later.front())); // in the middle, not at the end
+    const auto before = c.sent();
+    found = c.run(locate_slaves{into});
+    REQUIRE(found);
+    CHECK(c.sent() - before == 3);
+    CHECK(found->slaves == 100);
+    CHECK(found->known == 99);
+    REQUIRE(found->unknown.size() == 1);
+    CHECK(found->unknown[0] == 40);
+    CHECK(c.master.find(41)->position == 41);
+    REQUIRE(c.run(bring_up{.position = 40, .station = 100}));
+    CHECK(c.master.slaves().size() == 100);
+    CHECK(c.in_state(al_state::op) == 99);
+
+    devices[10]->power_on(); // reset
+    devices.erase(devices.begin() + 20);
+    found = c.run(locate_slaves{into});
+    REQUIRE(found);
+    CHECK(found->slaves == 99);
+    CHECK(found->known == 98);
+    REQUIRE(found->unknown.size() == 1);
+    CHECK(found->unknown[0] == 10);
+    CHECK(c.master.find(21)->position == slave_record::no_position);
+    CHECK(c.master.find(22)->position == 20);
+    const auto place = c.master.find(11)->process_data;
+    REQUIRE(c.run(bring_up{.position = 10, .station = 11}));
+    CHECK(c.master.find(11)->process_data == place);
+    CHECK(c.in_state(al_state::op) == 97);
+}
+
+TEST_CASE("missing, swapped, doubled and foreign slaves are named") {
+    const auto device = [](std::uint32_t product, std::uint32_t serial = 0, std::uint16_t alias = 0) {
+        return slave_identity{.identity = {.vendor = 1, .product = product, .serial = serial}, .alias = alias};
+    };
+    const std::array<expected_slave, 4> expected{expected_slave{.position = 0, .identity = {.product = 10}},
+                                                 expected_slave{.position = 1, .identity = {.product = 20}},
+                                                 expected_slave{.alias = 7, .identity = {.product = 30}},
+                                                 expected_slave{.identity = {.vendor = 1, .serial = 99}}};
+    std::array<matched_slave, 4> matches{};
+    const auto match = [&](std::vector<slave_identity> ring) {
+        std::vector<found_slave> found;
+        for (const auto& each : ring)
+            found.push_back({.position = static_cast<std::uint16_t>(found.size()), .is = each});
+        const bool is_right = match_slaves(expected, found, matches);
+        std::string text = is_right ? "right" : "wrong";
+        for (const auto& each : matches) text += " " + std::string{describe(each.match)}.substr(0, 24);
+        for (const auto& each : found) text += each.is_foreign ? " X" : " .";
+        return text;
+    };
+    using enum slave_match;
+    const auto is = [&](std::array<slave_match, 4> wanted) {
+        for (std::size_t i = 0; i != 4; ++i)
+            if (matches[i].match != wanted[i]) return false;
+        return true;
+    };
+    CHECK(match({device(10), device(20), device(30, 0, 7), device(40, 99)}).starts_with("right"));
+    CHECK(match({device(10), device(20), device(40, 99), device(30, 0, 7)}).starts_with("right"));
+    CHECK(matches[2].at == 3);
+    CHECK(match({device(20), device(10), device(30, 0, 7), device(40, 99)}).ends_with(". . . ."));
+    CHECK(is({swapped, swapped, found, found}));
+    CHECK(match({device(10), device(55), device(30, 0, 7), device(40, 98)}).ends_with(". X . X"));
+    CHECK(is({found, foreign, found, missing}));
+    CHECK(match({device(10), device(20), device(30, 0, 7), device(40, 99), device(30, 0, 7)}).ends_with(". . . . ."));
+    CHECK(is({found, found, doubled, found}));
+    CHECK(match({device(10)}).starts_with("wrong"));
+    CHECK(is({found, missing, missing, missing}));
+    CHECK(match({device(10), device(20), device(31, 0, 7), device(40, 99), device(10)}).ends_with(". . X . X"));
+    CHECK(is({found, found, foreign, found}));
 }

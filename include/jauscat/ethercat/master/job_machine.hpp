@@ -15,7 +15,9 @@
 #include <jauscat/ethercat/master/sdo_transfer.hpp>
 #include <jauscat/ethercat/master/slave_bring_up.hpp>
 #include <jauscat/ethercat/master/slave_check.hpp>
+#include <jauscat/ethercat/master/slave_identification.hpp>
 #include <jauscat/ethercat/master/slave_list.hpp>
+#include <jauscat/ethercat/master/slave_location.hpp>
 #include <jauscat/ethercat/master/state_change.hpp>
 #include <jauscat/ethercat/master/sync_setup.hpp>
 
@@ -213,6 +215,64 @@ template <> class job_machine<bring_up_all> : public detail::parallel_machine<br
 
   private:
     slave_list* slaves_{};
+};
+
+template <> class job_machine<identify> : public detail::plain_machine<slave_identification> {
+  public:
+    [[nodiscard]] master_error begin(const identify& job, ring_knowledge& ring, const master_config&) noexcept {
+        steps_ = slave_identification{job.station, job.device_id};
+        slave_record* slave{};
+        return detail::choose(ring.slaves, job.station, slave);
+    }
+    [[nodiscard]] const slave_identity& value() const noexcept { return steps_.value(); }
+};
+
+template <> class job_machine<identify_all> : public detail::parallel_machine<identify_place> {
+  public:
+    [[nodiscard]] master_error begin(const identify_all& job, ring_knowledge& ring, const master_config&) noexcept {
+        places_ = job.places;
+        steps_ = steps{job.places};
+        for (auto& each : places_) {
+            slave_record* slave{};
+            each.error = detail::choose(ring.slaves, each.station, slave);
+            if (slave != nullptr) steps_.begin(each, slave_identification{each.station, job.device_id});
+        }
+        return {};
+    }
+    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
+        return steps_.reply(datagrams, now, config,
+                            [](identify_place& place, const slave_identification& work) { place.is = work.value(); });
+    }
+};
+
+template <> class job_machine<locate_slaves> : public detail::plain_machine<slave_location> {
+  public:
+    [[nodiscard]] master_error begin(const locate_slaves& job, ring_knowledge& ring, const master_config&) noexcept {
+        slaves_ = &ring.slaves;
+        into_ = job.into;
+        return {};
+    }
+    progress reply(replies datagrams, time_point, const master_config&) noexcept {
+        if (steps_.slaves() == 0) // counted next
+            for (auto& each : slaves_->all()) each.position = slave_record::no_position;
+        return steps_.reply(datagrams, [&](std::uint16_t position, std::uint16_t station) {
+            auto* const slave = station != 0 ? slaves_->find(station) : nullptr;
+            if (slave != nullptr && slave->position == slave_record::no_position) {
+                slave->position = position;
+                ++known_;
+            } else if (unknown_ != into_.size()) {
+                into_[unknown_++] = position;
+            }
+        });
+    }
+    [[nodiscard]] located_slaves value() const noexcept {
+        return {.slaves = steps_.slaves(), .known = known_, .unknown = into_.first(unknown_)};
+    }
+
+  private:
+    slave_list* slaves_{};
+    std::span<std::uint16_t> into_{};
+    std::size_t known_{}, unknown_{};
 };
 
 template <> class job_machine<configure> {
@@ -444,8 +504,9 @@ template <> class job_machine<start_sync> : public detail::plain_machine<sync_se
 /// The machine of the job that runs, or of the last one; none before the first one.
 using any_job_machine =
     std::variant<std::monostate, job_machine<scan>, job_machine<bring_up>, job_machine<bring_up_all>,
-                 job_machine<configure>, job_machine<change_state>, job_machine<change_states>, job_machine<check>,
-                 job_machine<download>, job_machine<upload>, job_machine<list_objects>, job_machine<describe_object>,
+                 job_machine<identify>, job_machine<identify_all>, job_machine<locate_slaves>, job_machine<configure>,
+                 job_machine<change_state>, job_machine<change_states>, job_machine<check>, job_machine<download>,
+                 job_machine<upload>, job_machine<list_objects>, job_machine<describe_object>,
                  job_machine<describe_entry>, job_machine<collect_emergencies>, job_machine<exchange_datagram>,
                  job_machine<set_up_clocks>, job_machine<start_sync>>;
 

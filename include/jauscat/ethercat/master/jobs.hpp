@@ -7,6 +7,7 @@
 #include <jauscat/ethercat/master/parallel_steps.hpp>
 #include <jauscat/ethercat/master/sdo_options.hpp>
 #include <jauscat/ethercat/master/slave_bring_up.hpp>
+#include <jauscat/ethercat/master/slave_identification.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
 #include <jauscat/ethercat/master/state_change.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
@@ -55,6 +56,46 @@ struct bring_up_place : parallel_place<slave_bring_up> {
 struct bring_up_all {
     std::span<bring_up_place> places{};
     using result_type = master_result<std::size_t>;
+};
+
+/// Reads by what a slave can be recognised; `device_id`: also its explicit device identification, for which a slave
+/// that has none is waited for, sii_timeout long. The slave's state does not change. Errors: wrong_station,
+/// duplicate_station, working_counter, sii_busy, sii_error.
+struct identify {
+    std::uint16_t station{};
+    bool device_id{};
+    using result_type = master_result<slave_identity>;
+};
+
+/// One of the slaves of identify_all: its station address, what was read, why it was not, and memory.
+struct identify_place : parallel_place<slave_identification> {
+    std::uint16_t station{};
+    slave_identity is{};
+
+    identify_place() noexcept = default;
+    explicit identify_place(std::uint16_t of) noexcept : station{of} {}
+};
+
+/// The same for many slaves at once. Gives the number of slaves without an error.
+struct identify_all {
+    std::span<identify_place> places{};
+    bool device_id{};
+    using result_type = master_result<std::size_t>;
+};
+
+/// What locate_slaves has found.
+struct located_slaves {
+    std::size_t slaves{};               ///< in the ring
+    std::size_t known{};                ///< those that the master has brought up
+    std::span<std::uint16_t> unknown{}; ///< positions of the others, as many as fit
+};
+
+/// Finds out which slaves have come or gone, without changing anything in them. The records of those that are up get
+/// their positions, those that are not in the ring `slave_record::no_position`. `into` has memory for the positions of
+/// slaves that the master does not know: bring those up. Errors: working_counter (a slave went meanwhile).
+struct locate_slaves {
+    std::span<std::uint16_t> into{};
+    using result_type = master_result<located_slaves>;
 };
 
 /// Finds out what process data a slave in PRE-OP has and sets its SyncManagers and FMMUs up. Gives its place in the

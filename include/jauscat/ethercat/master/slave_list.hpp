@@ -29,6 +29,7 @@ class slave_list {
 
     /// Those that were brought up, in no particular order.
     [[nodiscard]] std::span<const slave_record> all() const noexcept { return memory_.first(count_); }
+    [[nodiscard]] std::span<slave_record> all() noexcept { return memory_.first(count_); }
     [[nodiscard]] std::span<const slave_record> away() const noexcept { return memory_.last(away_); }
     [[nodiscard]] std::size_t capacity() const noexcept { return memory_.size(); }
     /// Whether there is no memory for another record.

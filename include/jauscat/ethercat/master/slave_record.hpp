@@ -79,7 +79,9 @@ struct process_place {
 };
 
 struct slave_record {
-    std::uint16_t position{}; ///< in the ring, from 0
+    static constexpr std::uint16_t no_position = 0xFFFF;
+
+    std::uint16_t position{}; ///< in the ring, from 0; no_position: `locate_slaves` has not found it
     std::uint16_t station{};  ///< configured station address
     sii_identity identity{};
     sii_mailbox mailbox{};        ///< sizes 0: the slave has none

@@ -147,6 +147,8 @@ class slave {
         } else {
             changed.error = true;
         }
+        changed.device_id_loaded = control.request_device_id && description_.device_id && !changed.error;
+        if (changed.device_id_loaded) changed.code = static_cast<al_status_code>(*description_.device_id);
         if (from_init || changed.state == al_state::init) mailbox_.forget(esc_);
         esc_.store(esc_registers::al_status, changed);
         if (changed.state != before) enter(changed.state); // a request that changes nothing does not feed the watchdog

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -45,6 +46,7 @@ struct slave_description {
     bool error_register{};                    ///< it has object 1001h, with the value 0: no error
     std::string_view hardware_version{};      ///< object 1009h; empty: it has none
     std::string_view software_version{};      ///< object 100Ah; empty: it has none
+    std::optional<std::uint16_t> device_id{}; ///< explicit device identification, such as a selector switch
     bool synchronization{};                   ///< with process data: it has objects 1C32h and 1C33h, which say free run
     clock_width clock{}; ///< whether it has a distributed clock, which needs `slave::pass` with the time
     /// With outputs: after so many SYNC0 in a row that found no new outputs, it leaves OP (001Ah); 0: never.

@@ -12,6 +12,7 @@ namespace jauscat::ethercat {
 /// Word addresses of the fixed part, and of the first category.
 namespace sii_words {
 inline constexpr std::uint16_t configuration = 0x00; ///< what the slave controller loads at power-on
+inline constexpr std::uint16_t station_alias = 0x04; ///< in the configuration
 inline constexpr std::uint16_t identity = 0x08;      ///< vendor of the slave
 inline constexpr std::uint16_t mailbox = 0x18;       ///< offsets, sizes and protocols of the standard mailbox
 inline constexpr std::uint16_t size = 0x3E;          ///< of the memory
