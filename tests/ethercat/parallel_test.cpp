@@ -293,3 +293,67 @@ TEST_CASE("missing, swapped, doubled and foreign slaves are named") {
     CHECK(match({device(10), device(20), device(31, 0, 7), device(40, 99), device(10)}).ends_with(". . X . X"));
     CHECK(is({found, found, foreign, found}));
 }
+
+TEST_CASE("start-up objects are written in their order, those of one transition") {
+    chain c{1};
+    for (const auto index : std::initializer_list<std::uint16_t>{0x2000, 0x2001, 0x2002}) c.objects.add(index, 0, 2);
+    c.objects.add(0x2003, 1, 40);
+    REQUIRE(c.run(bring_up{0, 1}));
+    const auto word = test::counting(2), large = test::counting(40);
+    using enum state_transition;
+    const std::array commands{init_command{.index = 0x2000, .data = word},
+                              init_command{.index = 0x2001, .data = word, .transition = safe_op_to_op},
+                              init_command{.index = 0x2003, .subindex = 1, .data = large},
+                              init_command{.index = 0x3000, .data = word, .transition = safe_op_to_op},
+                              init_command{.index = 0x2002, .data = word, .transition = safe_op_to_op}};
+    CHECK(*c.run(run_init_commands{1, commands}) == 2);
+    CHECK(c.objects.entries.at({0x2000, 0}).value == word);
+    CHECK(c.objects.entries.at({0x2003, 1}).value == large);
+    CHECK(c.objects.writes == 2);
+    CHECK(c.run(run_init_commands{1, commands, safe_op_to_op}).error() ==
+          master_error{.code = master_errc::sdo_abort, .command = 3, .abort = abort_code::no_object});
+    CHECK(c.objects.writes == 3); // the one before, not the one behind
+    CHECK(*c.run(run_init_commands{1, commands, op_to_safe_op}) == 0);
+    CHECK(c.run(run_init_commands{2, commands, op_to_safe_op}).error().code == master_errc::wrong_station);
+    c.link.faults.lose = 100;
+    CHECK(c.run(run_init_commands{1, commands}).error() == master_error{.code = master_errc::no_reply});
+}
+
+TEST_CASE("each cycle counts the slaves of the ring") {
+    for (const bool watches : {false, true}) {
+        chain c{100};
+        REQUIRE(*c.run(bring_up_all{c.places}) == 100);
+        std::vector<state_place> places;
+        for (std::uint16_t station = 1; station != 99; ++station) { // two take no part
+            REQUIRE(c.run(configure{station}));
+            places.emplace_back(station);
+        }
+        REQUIRE(*c.run(change_states{places, al_state::op}) == 98);
+        std::vector<process_slot> slots(100);
+        bytes image(process_image::of(c.master.slaves()).size), frame(max_frame_size);
+        process_data data{slots, image};
+        REQUIRE(data.set_slaves(c.master.slaves(), {.watch_slaves = watches, .watch_ring = true}));
+        const auto cycle = [&](jauscat::time_point now) {
+            data.begin_cycle();
+            while (const auto size = data.next_frame(frame, now)) {
+                const auto passing = std::span{frame}.first(size);
+                for (auto& each : c.devices) each->process(passing);
+                REQUIRE(data.on_frame(passing));
+            }
+        };
+        const jauscat::time_point start{1s};
+        for (int i = 0; i != 300; ++i) cycle(start + i * 1ms);
+        CHECK(data.is_complete());
+        CHECK(data.ring().slaves == 100);
+        CHECK(data.ring().all.state == static_cast<al_state>(8 | 2));
+        CHECK(data.ring().last_frame == start + 299ms);
+        c.devices.resize(98);
+        cycle(start + 300ms);
+        CHECK(data.ring().slaves == 98);
+        CHECK(data.ring().all.state == al_state::op);
+        c.devices[50]->power_on();
+        cycle(start + 301ms);
+        CHECK(data.ring().all.state == static_cast<al_state>(8 | 1));
+        CHECK_FALSE(data.is_complete());
+    }
+}

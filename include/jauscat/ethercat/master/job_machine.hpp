@@ -391,6 +391,60 @@ template <> class job_machine<download> : public detail::mailbox_machine<sdo_tra
     }
 };
 
+template <> class job_machine<run_init_commands> {
+  public:
+    using steps = mailbox_session<sdo_transfer>;
+    [[nodiscard]] master_error begin(const run_init_commands& job, ring_knowledge& ring,
+                                     const master_config&) noexcept {
+        job_ = job;
+        find();
+        return is_done() ? detail::choose(ring.slaves, job.station, slave_) : start(ring.slaves);
+    }
+    [[nodiscard]] bool is_done() const noexcept { return at_ == job_.commands.size(); }
+    void request(frame_builder& frame) noexcept { session_.request(frame); }
+    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
+        const auto next = session_.reply(datagrams, now, config);
+        if (next != progress::done || !session_.result()) return next;
+        ++written_;
+        ++at_;
+        find();
+        if (is_done()) return progress::done;
+        begin_session();
+        return progress::send;
+    }
+    [[nodiscard]] bool was_refused() const noexcept { return session_.was_refused(); }
+    [[nodiscard]] bool is_repeatable() const noexcept { return session_.is_repeatable(); }
+    void lost() noexcept { session_.lost(); }
+    [[nodiscard]] master_error cancel(const master_error& why) noexcept { return of_command(session_.cancel(why)); }
+    [[nodiscard]] master_error complete(ring_knowledge&) noexcept { return of_command(session_.result().error()); }
+    [[nodiscard]] std::size_t value() const noexcept { return written_; }
+
+  private:
+    // The next one of the transition.
+    void find() noexcept {
+        while (!is_done() && job_.commands[at_].transition != job_.transition) ++at_;
+    }
+    master_error start(slave_list& slaves) noexcept {
+        const auto wrong = detail::choose_mailbox(slaves, job_.station, slave_);
+        if (wrong == master_error{}) begin_session();
+        return wrong;
+    }
+    void begin_session() noexcept {
+        const auto& command = job_.commands[at_];
+        session_ = {};
+        session_.begin(*slave_, sdo_transfer::download(command.index, command.subindex, command.data, command.options));
+    }
+    [[nodiscard]] master_error of_command(master_error error) const noexcept {
+        if (error != master_error{}) error.command = static_cast<std::uint16_t>(at_);
+        return error;
+    }
+
+    run_init_commands job_{};
+    slave_record* slave_{};
+    std::size_t at_{}, written_{};
+    steps session_{};
+};
+
 template <> class job_machine<upload> : public detail::mailbox_machine<sdo_transfer> {
   public:
     [[nodiscard]] master_error begin(const upload& job, ring_knowledge& ring, const master_config&) noexcept {
@@ -506,8 +560,8 @@ using any_job_machine =
     std::variant<std::monostate, job_machine<scan>, job_machine<bring_up>, job_machine<bring_up_all>,
                  job_machine<identify>, job_machine<identify_all>, job_machine<locate_slaves>, job_machine<configure>,
                  job_machine<change_state>, job_machine<change_states>, job_machine<check>, job_machine<download>,
-                 job_machine<upload>, job_machine<list_objects>, job_machine<describe_object>,
-                 job_machine<describe_entry>, job_machine<collect_emergencies>, job_machine<exchange_datagram>,
-                 job_machine<set_up_clocks>, job_machine<start_sync>>;
+                 job_machine<run_init_commands>, job_machine<upload>, job_machine<list_objects>,
+                 job_machine<describe_object>, job_machine<describe_entry>, job_machine<collect_emergencies>,
+                 job_machine<exchange_datagram>, job_machine<set_up_clocks>, job_machine<start_sync>>;
 
 } // namespace jauscat::ethercat

@@ -152,6 +152,33 @@ struct download {
     using result_type = master_result<>;
 };
 
+/// Changes of state before which start-up objects are written, as ESI files name them.
+enum class state_transition : std::uint8_t {
+    init_to_pre_op,    ///< IP; written in PRE-OP, where the mailbox works
+    pre_op_to_safe_op, ///< PS; written before `configure`, which reads the PDOs that they change
+    safe_op_to_op,     ///< SO
+    op_to_safe_op,     ///< OS
+    safe_op_to_pre_op, ///< SP
+};
+
+/// A start-up object. `data` stay in place until the job is done.
+struct init_command {
+    std::uint16_t index{};
+    std::uint8_t subindex{};
+    std::span<const std::byte> data{};
+    state_transition transition = state_transition::pre_op_to_safe_op;
+    download_options options{};
+};
+
+/// Writes the start-up objects of one transition, in their order. Gives the number of those written. Errors: those of
+/// `download`; master_error::command says which one has failed, and those behind it are not written.
+struct run_init_commands {
+    std::uint16_t station{};
+    std::span<const init_command> commands{};
+    state_transition transition = state_transition::pre_op_to_safe_op;
+    using result_type = master_result<std::size_t>;
+};
+
 /// Reads an object. Gives the front of `into` that has been filled; after an error what `into` holds is not to be used.
 /// Errors: those of `download`, size_mismatch, data_too_long.
 struct upload {

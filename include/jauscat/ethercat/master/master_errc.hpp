@@ -104,7 +104,8 @@ enum class master_errc : std::uint8_t {
     return "unknown error";
 }
 
-/// An error of the master, and what it is about. Only the members that master_errc names for the code have a value.
+/// An error of the master, and what it is about. Only the members that master_errc names for the code have a value, and
+/// `command` where an init command has failed.
 struct master_error {
     master_errc code{};
     al_state state{};                 ///< the state that the slave is in
@@ -114,6 +115,7 @@ struct master_error {
     std::uint16_t station{};          ///< station address that no slave has, or of the slave with the clock
     std::uint16_t working_counter{};  ///< of the command: how many slaves have executed it
     std::uint16_t slaves{};           ///< slaves in the ring
+    std::uint16_t command{};          ///< index of the init command
     std::uint16_t fmmus{};            ///< FMMUs that the process data need
     std::uint16_t watchdog_divider{}; ///< that the slave has
     std::uint16_t watchdog_units{};   ///< that the slave has

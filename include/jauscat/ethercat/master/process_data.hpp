@@ -36,6 +36,9 @@ struct process_options {
     /// slave then have a datagram of their own, so that one slave's failure does not make another's inputs old. That
     /// takes 45 bytes for each slave.
     bool watch_slaves{};
+    /// One datagram of each cycle counts the slaves of the ring and reads the states of all, or-ed: see `ring`. It
+    /// tells that a slave has come or gone (`locate_slaves` finds out which), and takes 18 bytes.
+    bool watch_ring{};
     /// That of the master which has configured the slaves.
     std::uint32_t logical_base{};
 };
@@ -89,7 +92,7 @@ class process_data {
             plan_.add(slave);
             clear(slave.process_data);
         }
-        if (fits_) fits_ = plan_.cut(options_.watch_slaves);
+        if (fits_) fits_ = plan_.cut(options_.watch_slaves, options_.watch_ring ? ring_size : 0);
         next_ = plan_.frame_count();
         return fits_;
     }
@@ -117,6 +120,9 @@ class process_data {
         const auto* const found = plan_.find(slave.station, slave.process_data);
         return found != nullptr ? found->status : unknown;
     }
+
+    /// All slaves of the ring together; only with `watch_ring`, and while slaves are exchanged.
+    [[nodiscard]] const ring_status& ring() const noexcept { return ring_; }
 
     /// A cycle is due: frames of the last one that are not back are lost. Then send what `next_frame` gives, until it
     /// gives nothing.
@@ -221,10 +227,15 @@ class process_data {
     // A datagram alone has one index, which is the same every 256 cycles: a reply that late would be taken for the
     // present one. From then on another datagram carries the rest of the cycle's number.
     [[nodiscard]] bool has_filler(const process_frame& frame) const noexcept {
-        const bool is_alone =
-            frame.parts == 1 && !plan_.part(frame.first_part).counters.no_lrw && !options_.watch_slaves;
+        const bool is_alone = !has_ring(frame) && frame.parts == 1 && !plan_.part(frame.first_part).counters.no_lrw &&
+                              !options_.watch_slaves;
         return cycle_ > 0xFF && is_alone &&
                frame.size + datagram_overhead + process_plan::filler_size <= max_datagrams_size;
+    }
+
+    // In the first frame of a cycle.
+    [[nodiscard]] bool has_ring(const process_frame& frame) const noexcept {
+        return options_.watch_ring && frame.first_member == 0;
     }
 
     // Calls `visit` for each datagram of a frame, in order, until it returns false. Returns whether it never did.
@@ -258,6 +269,9 @@ class process_data {
             if (!read(esc_registers::al_status)) return false;
             if (member.has_mailbox && !read(sync_manager_handshake_of(1))) return false;
         }
+        constexpr planned ring{
+            .cmd = command::brd, .ado = esc_registers::al_status.address, .length = wire::max_size<al_status>};
+        if (has_ring(frame) && !visit(ring)) return false;
         return !has_filler(frame) || visit(filler);
     }
 
@@ -268,7 +282,8 @@ class process_data {
         return cmd == command::lrw || cmd == command::lwr || cmd == command::nop;
     }
     static bool is_return_of(const planned& sent, const datagram_header& back) noexcept {
-        return back.cmd == sent.cmd && back.ado == sent.ado && back.length == sent.length && back.adp == sent.adp;
+        const bool is_same = back.cmd == sent.cmd && back.ado == sent.ado && back.length == sent.length;
+        return is_same && (back.adp == sent.adp || sent.cmd == command::brd); // which counts slaves in it
     }
     // The frame of this or an earlier cycle that begins like this one, up to the first datagram that does something.
     [[nodiscard]] process_frame* find(const frame_view& view) const noexcept {
@@ -323,6 +338,10 @@ class process_data {
         }
         for (; options_.watch_slaves && member != end; ++member)
             watch(plan_.member(member), true, frame.sent_at, watched);
+        if (has_ring(frame)) {
+            const auto all = *watched;
+            ring_ = {all.working_counter, all.value(esc_registers::al_status), frame.sent_at};
+        }
         if (++returned_ != plan_.frame_count()) return;
         is_complete_ = is_counting_complete_;
         working_counter_ = counting_;
@@ -369,12 +388,14 @@ class process_data {
         return is_exchanged ? slave_condition::running : slave_condition::incomplete;
     }
 
+    static constexpr std::size_t ring_size = datagram_overhead + wire::max_size<al_status>;
     static constexpr std::chrono::nanoseconds longest_delay = std::chrono::seconds{10};
 
     process_plan plan_;
     std::span<std::byte> bytes_;
     process_image image_{};
     process_options options_{};
+    ring_status ring_{};
     bool fits_{true};
     std::uint16_t cycle_{};
     std::size_t next_{};        // frame to be sent

@@ -84,10 +84,11 @@ class process_plan {
         frames_ = 0;
     }
 
-    /// Distributes the members over datagrams and frames. False where the data of a slave are larger than a frame:
-    /// there are no frames then.
-    [[nodiscard]] bool cut(bool watches) noexcept {
+    /// Distributes the members over datagrams and frames; `reserved` bytes of the first frame are left. False where the
+    /// data of a slave are larger than a frame: there are no frames then.
+    [[nodiscard]] bool cut(bool watches, std::size_t reserved = 0) noexcept {
         parts_ = frames_ = 0;
+        reserved_ = reserved;
         sort();
         for (std::size_t i = 0; i != members_; ++i) {
             if (!place(i, watches)) {
@@ -143,7 +144,8 @@ class process_plan {
             (data != 0 ? data + copies * datagram_overhead : 0) + (watches ? watch_size(added.has_mailbox) : 0);
         if (needed == 0) return true; // nothing to exchange with it
         if (frames_ == 0 || frame(frames_ - 1).size + needed > max_datagrams_size) {
-            const std::size_t filler = data == 0 ? datagram_overhead + filler_size : 0;
+            const std::size_t filler =
+                (data == 0 ? datagram_overhead + filler_size : 0) + (frames_ == 0 ? reserved_ : 0);
             if (filler + needed > max_datagrams_size) return false;
             frame(frames_++) = {.first_part = parts_, .first_member = i, .size = filler};
         }
@@ -167,6 +169,7 @@ class process_plan {
 
     std::span<process_slot> slots_;
     std::size_t members_{}, parts_{}, frames_{};
+    std::size_t reserved_{};
 };
 
 } // namespace jauscat::ethercat

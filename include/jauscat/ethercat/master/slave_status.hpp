@@ -65,4 +65,11 @@ struct slave_status {
     }
 };
 
+/// All slaves of a ring together, in the last cycle that has returned.
+struct ring_status {
+    std::uint16_t slaves{};                 ///< that the frame has passed, also those without process data
+    al_status all{};                        ///< the states of all, or-ed: OP without error if each is in OP
+    std::optional<time_point> last_frame{}; ///< when that frame was sent
+};
+
 } // namespace jauscat::ethercat
