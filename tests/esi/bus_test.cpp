@@ -234,5 +234,5 @@ TEST_CASE("the modes of a distributed clock are in the ESI file and in category 
                                        "00000000 00000000 00000000 0000 0000 0000 04 05 00000000"
                                        "90d00300 18fcffff d0070000 feff 0007 0100 06 07 00000000"
                                        "ffff 0000");
-    CHECK(!std::ranges::search(sii, wanted).empty());
+    CHECK(std::search(sii.begin(), sii.end(), wanted.begin(), wanted.end()) != sii.end());
 }

@@ -72,6 +72,78 @@ TEST_CASE("variants written by other tools are accepted") {
     CHECK(octets.objects[4].entries[1].bit_size == 224);
 }
 
+TEST_CASE("defaults as numbers, enumerations and PDOs that are not assigned are read") {
+    const auto sample = test::sample_device();
+    const std::string data = "<DefaultData>A5060000</DefaultData>";
+    for (const auto* value : {"1701", "#x6A5", "#x000006a5"})
+        CHECK(*parse(replaced(sample_esi(), data, "<DefaultValue>" + std::string{value} + "</DefaultValue>")) ==
+              sample);
+
+    CHECK(*parse(replaced(sample_esi(), "<Type>DT1018</Type>\n                <BitSize>144<",
+                          "<Type>DT1018</Type>\n                <BitSize>152<")) == sample); // aligned
+
+    // 1018h:1 as an enumeration of an enumeration.
+    const auto enumeration = [](const std::string& name, const std::string& base) {
+        return "<DataType><Name>" + name + "</Name><BaseType>" + base + "</BaseType><BitSize>32</BitSize>" +
+               "<EnumInfo><Text>one</Text><Enum>1</Enum></EnumInfo></DataType>";
+    };
+    const auto declared = replaced(sample_esi(), "<DataTypes>",
+                                   "<DataTypes>" + enumeration("DTEN1", "DTEN2") + enumeration("DTEN2", "UDINT"));
+    const std::string name = "<Name>Vendor ID</Name>", spaces(18, ' ');
+    CHECK(*parse(replaced(declared, name + '\n' + spaces + "<Type>UDINT<", name + "<Type>DTEN1<")) == sample);
+    // A type that is its own base ends the search.
+    CHECK(complaint(replaced(replaced(declared, "<BaseType>UDINT<", "<BaseType>DTEN1<"),
+                             name + '\n' + spaces + "<Type>UDINT<", name + "<Type>DTEN1<"))
+              .find("is unknown; expected a base type") != std::string::npos);
+
+    const auto pdos = replaced(test::sample_esi_with_pdos(), "<RxPdo Sm=\"2\"", "<RxPdo");
+    const auto read = *parse(pdos);
+    REQUIRE(read.rx_pdos.size() == 1);
+    CHECK(read.rx_pdos[0].sync_manager == esi::not_assigned);
+    CHECK(*parse(esi::write_esi(read)) == read);
+}
+
+TEST_CASE("a number as text has the bytes of its base type") {
+    const auto hex = [](const char* text, const char* type) -> std::string {
+        const auto value = esi::parse_value(text, type);
+        return value ? esi::hex_bytes(*value) : "none";
+    };
+    CHECK(hex("#x12", "USINT") == "12");
+    CHECK(hex("255", "USINT") == "FF");
+    CHECK(hex("256", "USINT") == "none");
+    CHECK(hex("-128", "SINT") == "80");
+    CHECK(hex("-129", "SINT") == "none");
+    CHECK(hex("-2", "DINT") == "FEFFFFFF");
+    CHECK(hex("-9223372036854775808", "LINT") == "0000000000000080");
+    CHECK(hex("#xFFFFFFFFFFFFFFFF", "ULINT") == "FFFFFFFFFFFFFFFF");
+    CHECK(hex("18446744073709551616", "ULINT") == "none");
+    CHECK(hex("1", "BOOL") == "01");
+    CHECK(hex("5", "BIT3") == "05");
+    CHECK(hex("8", "BIT3") == "none");
+    CHECK(hex("0.5", "REAL") == "0000003F");
+    CHECK(hex("-2", "LREAL") == "00000000000000C0");
+    for (const auto* wrong : {"", "#x", "-", "1.5", "one", "0x1"}) CHECK(hex(wrong, "UDINT") == "none");
+    CHECK(hex("1", "STRING(4)") == "none");
+}
+
+TEST_CASE("one of several devices is chosen by product code and revision") {
+    const auto one = sample_esi();
+    const auto at = one.find("<Device "), end = one.find("</Devices>");
+    auto second = one.substr(at, end - at);
+    second = replaced(replaced(second, "#x00000021", "#x00000022"), "#x00010002", "5");
+    const auto third = replaced(second, "RevisionNo=\"5\"", "RevisionNo=\"6\"");
+    const auto several = replaced(one, "</Devices>", second + third + "</Devices>");
+    const auto chosen = [&](const esi::device_choice& choice) { return esi::parse_esi(several, "sample.xml", choice); };
+    CHECK(complaint(several) == "<Device>: a second device, expected one in a file");
+    CHECK(*chosen({.product = 0x21}) == test::sample_device());
+    CHECK(chosen({.product = 0x22, .revision = 6})->revision == 6);
+    CHECK(chosen({.revision = 5})->product_code == 0x22);
+    CHECK(chosen({.product = 0x22}).error().code == esi::errc::unexpected);
+    CHECK(chosen({.product = 0x23}).error().code == esi::errc::missing);
+    CHECK(esi::parse_esi(one, "sample.xml", {.product = 0x21, .revision = 0x10002}));
+    CHECK(!esi::parse_esi(one, "sample.xml", {.product = 0x21, .revision = 1}));
+}
+
 TEST_CASE("modes of a distributed clock are read, with defaults and with wrong values") {
     const auto with = [](const std::string& content) {
         return replaced(sample_esi(), "</Mailbox>",
@@ -179,8 +251,8 @@ TEST_CASE("objects that do not fit their types are reported") {
           "<Dictionary>: object #x1000 is there twice, expected each once");
     CHECK(complaint_about("<DefaultData>A5060000<", "<DefaultData>A506000000<") ==
           "<DefaultData>: 5 bytes, expected at most 4");
-    CHECK(complaint_about("<DefaultData>A5060000</DefaultData>", "<DefaultValue>1</DefaultValue>") ==
-          "<DefaultValue>: expected <DefaultData> in its place");
+    CHECK(complaint_about("<DefaultData>A5060000</DefaultData>", "<DefaultValue>one</DefaultValue>") ==
+          "<DefaultValue>: \"one\", expected a number that UDINT holds, or <DefaultData> in its place");
     CHECK(complaint_about("<Access>wo<", "<Access>w<") == "<SubItem>: access \"w\", expected ro, wo or rw");
     CHECK(complaint_about("<SubIdx>26<", "<SubIdx>0<") == "<SubIdx>: expected ascending subindices");
     CHECK(complaint_about("<SubIdx>26<", "<SubIdx>256<") ==

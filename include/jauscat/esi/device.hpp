@@ -66,16 +66,19 @@ struct pdo_entry {
     std::uint8_t subindex{}; ///< of a gap: 0
     std::uint8_t bits{};     ///< 1 to 255
     std::string name{};      ///< for display
-    std::string type{};      ///< a base type of ETG.1020; of a gap: none
+    std::string type{};      ///< a base type of ETG.1020; empty: not stated; of a gap: none
 
     friend bool operator==(const pdo_entry&, const pdo_entry&) = default;
 };
+
+/// `pdo::sync_manager` of a PDO that is not transferred unless a tool assigns it.
+inline constexpr std::uint8_t not_assigned = 0xFF;
 
 /// PDO: process data that are mapped together.
 struct pdo {
     std::uint16_t index{};            ///< of its mapping object
     std::string name{};               ///< for display
-    std::uint8_t sync_manager{};      ///< its default SyncManager
+    std::uint8_t sync_manager{};      ///< its default SyncManager; `not_assigned`: none
     bool fixed{};                     ///< its entries cannot be changed
     bool mandatory{};                 ///< it is always assigned
     std::vector<pdo_entry> entries{}; ///< in wire order

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -18,20 +19,24 @@
 
 namespace jauscat::esi {
 
+/// Which device of a file with several. A part that is not given is not compared.
+struct device_choice {
+    std::optional<std::uint32_t> product{};
+    std::optional<std::uint32_t> revision{};
+};
+
 namespace detail {
 
 class esi_reader : xml_source {
   public:
     using xml_source::xml_source;
 
-    device read() {
+    device read(const device_choice& choice) {
         const auto root = load();
         const auto vendor = child(root, "Vendor");
         const auto descriptions = child(root, "Descriptions");
         const auto devices = child(descriptions, "Devices");
-        const auto node = child(devices, "Device");
-        if (const auto second = node.next_sibling("Device"))
-            fail(errc::unexpected, second, "a second device, expected one in a file");
+        const auto node = find_device(devices, choice);
 
         device made{};
         made.vendor_id = number(child(vendor, "Id"));
@@ -71,6 +76,27 @@ class esi_reader : xml_source {
   private:
     static constexpr std::size_t max_sync_managers = 16; // registers 0800h to 087Fh
     static constexpr std::size_t max_pdo_entries = 255;  // subindices of its mapping object
+
+    pugi::xml_node find_device(pugi::xml_node devices, const device_choice& choice) const {
+        const bool is_chosen = choice.product || choice.revision;
+        pugi::xml_node found = is_chosen ? pugi::xml_node{} : child(devices, "Device");
+        for (const auto each : devices.children("Device")) {
+            if (each == found || (is_chosen && !is_choice(each.child("Type"), choice))) continue;
+            if (found)
+                fail(errc::unexpected, each,
+                     is_chosen ? "a second device of this choice, expected one"
+                               : "a second device, expected one in a file");
+            found = each;
+        }
+        if (!found) fail(errc::missing, devices, "no <Device> has the product code and the revision that were chosen");
+        return found;
+    }
+    bool is_choice(pugi::xml_node type, const device_choice& choice) const {
+        const auto is_value = [&](const auto& wanted, const char* name) {
+            return !wanted || (type.attribute(name) && number(type, name) == *wanted);
+        };
+        return is_value(choice.product, "ProductCode") && is_value(choice.revision, "RevisionNo");
+    }
 
     void read_objects(device& made, pugi::xml_node dictionary) {
         types_ = child(dictionary, "DataTypes");
@@ -119,7 +145,9 @@ class esi_reader : xml_source {
         const auto is_set = [&](const char* name) { return node.attribute(name) && boolean(node, name); };
         pdo made{.index = static_cast<std::uint16_t>(number(child(node, "Index"), 0xFFFF)),
                  .name = text(child(node, "Name")),
-                 .sync_manager = static_cast<std::uint8_t>(number(node, "Sm", max_sync_managers - 1)),
+                 .sync_manager = node.attribute("Sm")
+                                     ? static_cast<std::uint8_t>(number(node, "Sm", max_sync_managers - 1))
+                                     : not_assigned,
                  .fixed = is_set("Fixed"),
                  .mandatory = is_set("Mandatory")};
         for (const auto each : node.children("Entry")) {
@@ -130,8 +158,8 @@ class esi_reader : xml_source {
                             .bits = static_cast<std::uint8_t>(number(child(each, "BitLen"), 0xFF))};
             if (entry.index != 0) {
                 entry.subindex = static_cast<std::uint8_t>(number(child(each, "SubIndex"), 0xFF));
-                entry.name = text(child(each, "Name"));
-                entry.type = text(child(each, "DataType"));
+                entry.name = each.child("Name").text().get();
+                entry.type = each.child("DataType").text().get();
             }
             made.entries.push_back(std::move(entry));
         }
@@ -157,7 +185,7 @@ class esi_reader : xml_source {
                     .name = text(child(node, "Name")),
                     .mandatory = node.child("Flags").child("Category").text().get() == std::string_view{"m"}};
         made.properties = read_properties(node.child("Properties"));
-        const auto type = text(child(node, "Type"));
+        const auto type = base_of(text(child(node, "Type")));
         const auto info = node.child("Info");
         if (const auto bits = bits_of(type)) {
             made.code = object_code::variable;
@@ -171,7 +199,9 @@ class esi_reader : xml_source {
         std::uint32_t bits = made.code == object_code::variable ? 0 : 16;
         for (const auto& each : made.entries)
             if (made.code == object_code::variable || each.subindex != 0) bits += each.bit_size;
-        if (const auto said = child(node, "BitSize"); number(said) != bits)
+        // The entries of a record may be aligned.
+        const auto said = child(node, "BitSize");
+        if (made.code == object_code::record ? number(said) < bits : number(said) != bits)
             fail(errc::inconsistent, said, "expected " + std::to_string(bits) + ", the size of " + type);
         return made;
     }
@@ -188,6 +218,17 @@ class esi_reader : xml_source {
             if (each.child("Name").text().get() == name) return each;
         fail(errc::unknown_reference, user,
              "its type \"" + name + "\" is no base type; expected a <DataType> of that name in <DataTypes>");
+    }
+
+    // The base type of an enumeration, or of another name of a base type; other types as they are.
+    std::string base_of(std::string name) const {
+        for (int depth = 0; depth != 8 && !bits_of(name); ++depth) {
+            const auto type =
+                types_.find_child([&](pugi::xml_node each) { return each.child("Name").text().get() == name; });
+            if (!type.child("BaseType") || type.child("ArrayInfo") || type.child("SubItem")) break;
+            name = type.child("BaseType").text().get();
+        }
+        return name;
     }
 
     void read_items(object& made, pugi::xml_node type) const {
@@ -224,6 +265,7 @@ class esi_reader : xml_source {
     }
 
     void append(object& made, entry each, pugi::xml_node item) const {
+        each.type = base_of(std::move(each.type));
         const auto bits = bits_of(each.type);
         if (!bits)
             fail(errc::unknown_reference, item,
@@ -254,8 +296,15 @@ class esi_reader : xml_source {
     }
 
     void set_default(entry& made, pugi::xml_node info) const {
-        if (const auto value = info.child("DefaultValue"))
-            fail(errc::unexpected, value, "expected <DefaultData> in its place");
+        if (const auto value = info.child("DefaultValue")) {
+            auto read = parse_value(value.text().get(), made.type);
+            if (!read)
+                fail(errc::invalid_value, value,
+                     '"' + std::string{value.text().get()} + "\", expected a number that " + made.type +
+                         " holds, or <DefaultData> in its place");
+            made.default_data = std::move(*read);
+            return;
+        }
         auto data = info.child("DefaultData");
         if (data) {
             made.default_data = bytes(data);
@@ -282,14 +331,17 @@ class esi_reader : xml_source {
 
 } // namespace detail
 
-/// Reads an ESI document from text; `source` is the file's name in messages.
-[[nodiscard]] inline result<device, error> parse_esi(std::string_view text, std::string source) {
-    return detail::caught([&] { return detail::esi_reader{text, std::move(source)}.read(); });
+/// Reads an ESI document from text; `source` is the file's name in messages. Without a choice the document has one
+/// device; a choice fits one of its devices.
+[[nodiscard]] inline result<device, error> parse_esi(std::string_view text, std::string source,
+                                                     const device_choice& choice = {}) {
+    return detail::caught([&] { return detail::esi_reader{text, std::move(source)}.read(choice); });
 }
 
 /// Reads an ESI file.
-[[nodiscard]] inline result<device, error> read_esi(const std::filesystem::path& path) {
-    return detail::caught([&] { return detail::esi_reader{detail::text_of(path), path.string()}.read(); });
+[[nodiscard]] inline result<device, error> read_esi(const std::filesystem::path& path,
+                                                    const device_choice& choice = {}) {
+    return detail::caught([&] { return detail::esi_reader{detail::text_of(path), path.string()}.read(choice); });
 }
 
 } // namespace jauscat::esi

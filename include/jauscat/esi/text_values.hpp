@@ -4,7 +4,9 @@
 #include <jauscat/schema/ethercat/data_types.hpp>
 #include <jauscat/schema/ethercat/sii.hpp>
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -120,6 +122,40 @@ inline std::uint16_t parse_data_type(std::string_view text) {
 inline std::string octet_string_type(std::size_t bytes) { return "OCTET_STRING(" + std::to_string(bytes) + ')'; }
 /// The base type of this number of characters.
 inline std::string string_type(std::size_t characters) { return "STRING(" + std::to_string(characters) + ')'; }
+
+/// The value of a number as text (`#x1A`, `26`, `-26`, `0.5`) in a base type with a fixed size, little-endian; nothing
+/// for another type, or for a value that does not fit.
+[[nodiscard]] inline std::optional<std::vector<std::byte>> parse_value(std::string_view text, std::string_view type) {
+    const auto* const found = std::ranges::find(sized_types, type, [](const auto& each) { return each.first; });
+    if (found == sized_types.end()) return std::nullopt;
+    const auto bits = found->second;
+    std::uint64_t value{};
+    const auto parsed = [&]<class T>(std::string_view digits, T& into, auto... base) {
+        const auto* const end = digits.data() + digits.size();
+        const auto [stop, error] = std::from_chars(digits.data(), end, into, base...);
+        return error == std::errc{} && stop == end;
+    };
+    if (type == "REAL" || type == "LREAL") {
+        double real{};
+        if (!parsed(text, real)) return std::nullopt;
+        value = type == "LREAL" ? std::bit_cast<std::uint64_t>(real)
+                                : std::bit_cast<std::uint32_t>(static_cast<float>(real));
+    } else if (text.starts_with('-')) {
+        std::int64_t negative{};
+        if (!parsed(text, negative) || negative >> (bits - 1) != -1) return std::nullopt;
+        value = static_cast<std::uint64_t>(negative);
+    } else {
+        const bool hex = text.starts_with("#x");
+        if (!parsed(text.substr(hex ? 2 : 0), value, hex ? 16 : 10)) return std::nullopt;
+        if (bits < 64 && value >> bits != 0) return std::nullopt;
+    }
+    std::vector<std::byte> bytes((bits + 7) / 8);
+    for (auto& each : bytes) {
+        each = static_cast<std::byte>(value & 0xFF);
+        value >>= 8;
+    }
+    return bytes;
+}
 
 /// Size in bits of a base type: one of `sized_types`, STRING(n), OCTET_STRING(n), ARRAY [0..n] OF BYTE.
 [[nodiscard]] inline std::optional<std::uint32_t> bits_of(std::string_view type) {

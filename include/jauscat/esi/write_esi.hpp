@@ -99,7 +99,7 @@ class esi_writer {
     }
 
     static void put_pdo(pugi::xml_node node, const pdo& what) {
-        set(node, "Sm", number(what.sync_manager));
+        if (what.sync_manager != not_assigned) set(node, "Sm", number(what.sync_manager));
         if (what.fixed) set(node, "Fixed", "1");
         if (what.mandatory) set(node, "Mandatory", "1");
         add(node, "Index", hex_number(what.index, 4));
@@ -110,8 +110,8 @@ class esi_writer {
             if (each.index != 0) add(entry, "SubIndex", number(each.subindex));
             add(entry, "BitLen", number(each.bits));
             if (each.index == 0) continue;
-            add_name(entry, each.name);
-            add(entry, "DataType", each.type);
+            if (!each.name.empty()) add_name(entry, each.name);
+            if (!each.type.empty()) add(entry, "DataType", each.type);
         }
     }
 
