@@ -51,7 +51,7 @@ TEST_CASE("slaves that another master has set up are looked at, but not changed"
     emulated_bus ring{three()};
     {
         const auto link = jauscat::net::open_link(ring.where());
-        ethercat::master master;
+        ethercat::master_for<16> master;
         REQUIRE(jauscat::net::run(*link, master, ethercat::bring_up{.position = 1, .station = 77}));
     }
     const auto looked = run("scan --format json" + on(ring));
@@ -76,7 +76,7 @@ TEST_CASE("a mailbox in use is noticed") {
     std::atomic<bool> is_up{};
     std::thread other{[&] {
         const auto link = jauscat::net::open_link(ring.where());
-        ethercat::master master;
+        ethercat::master_for<16> master;
         is_up = static_cast<bool>(jauscat::net::run(*link, master, ethercat::bring_up{.position = 1, .station = 77}));
         std::array<std::byte, 64> into{};
         while (!stop) static_cast<void>(jauscat::net::run(*link, master, ethercat::upload{77, 0x1008, 0, into}));
