@@ -51,8 +51,9 @@ emulated_board::output converse(emulated_board& board, const bytes& sent, unsign
     return said;
 }
 
-/// Runs a test once for each image.
+/// Runs a test once for each image; of those made with the single header there are two.
 std::string each_image() {
+    if (emulated_board::other_images() != nullptr) return GENERATE(as<std::string>{}, "real_m3", "raw_m0");
     return GENERATE(as<std::string>{}, "real_m3", "real_by_hand_m3", "raw_m3", "raw_by_hand_m3", "smallest_m3",
                     "raw_m0", "raw_by_hand_m0", "smallest_m0");
 }

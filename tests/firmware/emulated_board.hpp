@@ -22,6 +22,9 @@ namespace jauscat::test {
 /// QEMU in a process of its own, ended with the object. Each wait for the board is bounded.
 class emulated_board {
   public:
+    /// A folder of images other than those of the build, chosen by the environment; nullptr without one.
+    static const char* other_images() { return std::getenv("JAUSCAT_FIRMWARE_IMAGES"); }
+
     /// Starts `image`, the name of a firmware image without its suffix.
     explicit emulated_board(const std::string& image)
         : process_{start(folder() + "/" + image + ".elf", jaus_.boards, card_.boards)} {}
@@ -78,11 +81,7 @@ class emulated_board {
         int ours{}, boards{};
     };
 
-    /// Where the images are: the build says, another may be chosen by the environment.
-    static std::string folder() {
-        const char* const named = std::getenv("JAUSCAT_FIRMWARE_IMAGES");
-        return named != nullptr ? named : FIRMWARE_IMAGES;
-    }
+    static std::string folder() { return other_images() != nullptr ? other_images() : FIRMWARE_IMAGES; }
 
     static pid_t start(const std::string& image, int jaus, int card) {
         const auto socket = [](const char* name, int descriptor) {
