@@ -8,6 +8,7 @@
 #include <jauscat/ethercat/code_texts.hpp>
 #include <jauscat/ethercat/slave/mapped_objects.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
+#include <jauscat/ethercat/slave/slave_tree.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/now.hpp>
 #include <jauscat/text/hex.hpp>
@@ -37,6 +38,8 @@ Examples:
   emulated_bus                                          one slave, EtherCAT in UDP on port 34980
   emulated_bus --slaves 5 --outputs 8 --inputs 8 --link raw --interface eth0
   emulated_bus --mailbox-size 24 --slow 20              small and slow
+  emulated_bus --slaves 6 --outputs 2 --clock 64 --drift 100 --sync-missed 10
+                                                        distributed clocks that drift
   emulated_bus --subindex-0-rule --state-rule           strict rules for mapping objects
   emulated_bus --esi arm.xml                            the slave that a file describes
   emulated_bus --abort 0x2002=0x08000021 --abort 0x2010:1=0x06060000
@@ -214,8 +217,13 @@ class node {
     ethercat::al_status status_{.state = ethercat::al_state::init};
 };
 
-int serve(jauscat::net::any_link& link, const std::string& where, std::deque<node>& nodes) {
-    for (auto& each : nodes) each.slave().set_downstream(&each != &nodes.back());
+int serve(jauscat::net::any_link& link, const std::string& where, std::deque<node>& nodes,
+          std::chrono::nanoseconds cable) {
+    std::vector<ethercat::wired_slave> wires;
+    for (auto& each : nodes)
+        wires.push_back(
+            {.device = &each.slave(), .parent = std::max(wires.size(), std::size_t{1}) - 1, .cable = cable});
+    ethercat::slave_tree tree{wires, std::chrono::nanoseconds{300}};
     example::write_event(example::events::ready, {{"slaves", nodes.size()}, {"link", where}},
                          std::to_string(nodes.size()) + (nodes.size() == 1 ? " slave, " : " slaves, ") + where +
                              ", waiting for a master (Ctrl-C ends)\n");
@@ -229,7 +237,7 @@ int serve(jauscat::net::any_link& link, const std::string& where, std::deque<nod
             ++frames;
             const auto received = std::span{frame}.first(size);
             // First the frame, as the hardware does, and only then what the slaves make of it.
-            for (auto& each : nodes) each.slave().pass(received);
+            static_cast<void>(tree.pass(received, jauscat::net::now()));
             if (!link.send(received))
                 say.bad(example::events::frame_not_returned, {{"problem", link.problem()}},
                         "a frame did not go back: " + link.problem());
@@ -242,6 +250,7 @@ int serve(jauscat::net::any_link& link, const std::string& where, std::deque<nod
             if (!problem.empty()) say.bad(example::events::link_problem, {{"problem", problem}}, problem);
         }
         for (auto& each : nodes) {
+            each.slave().pass_time(jauscat::net::now());
             each.slave().on_time(jauscat::net::now());
             each.show_changes();
         }
@@ -265,8 +274,12 @@ int main(int argc, char** argv) {
             ("mailbox-size", po::value<std::uint16_t>()->default_value(128), "bytes of each mailbox, 24 to 1486")
             ("vendor", po::value<std::string>()->default_value("0x4A430000"), "vendor ID")
             ("product", po::value<std::string>()->default_value("0x00B5"), "product code")
-            ("esi", po::value<std::string>(), "ESI file that describes the slaves, in place of --outputs, --inputs, --mailbox-size, --vendor, --product, --eight-byte-sii and --object")
+            ("esi", po::value<std::string>(), "ESI file that describes the slaves, in place of --outputs, --inputs, --mailbox-size, --vendor, --product, --eight-byte-sii, --object, --clock, --drift and --sync-missed")
             ("eight-byte-sii", po::bool_switch(), "a read of the SII returns 8 bytes instead of 4")
+            ("clock", po::value<unsigned>()->default_value(0), "bits of each slave's distributed clock, 32 or 64; 0: none")
+            ("drift", po::value<unsigned>()->default_value(0), "largest error of the clocks in ppm, 0 to 1000: the first is slow, the last fast")
+            ("cable", po::value<unsigned>()->default_value(200), "delay that the clocks see on each cable, 0 to 100000 ns")
+            ("sync-missed", po::value<std::uint16_t>()->default_value(0), "leave OP after so many SYNC0 in a row without new outputs; 0: never")
             ("object", po::value<std::vector<std::string>>()->composing(), "another object: INDEX[:SUB]=BYTES; may be repeated")
             ("abort", po::value<std::vector<std::string>>()->composing(), "abort every transfer of an object: INDEX[:SUB]=CODE; may be repeated")
             ("subindex-0-rule", po::bool_switch(), "abort writes to PDO mapping objects while their subindex 0 is not 0")
@@ -313,14 +326,21 @@ int main(int argc, char** argv) {
                                           .refused = refused};
         std::optional<esi::emulated_device> file;
         if (values.count("esi") != 0) {
-            for (const auto* const other :
-                 {"outputs", "inputs", "mailbox-size", "vendor", "product", "eight-byte-sii", "object"})
+            for (const auto* const other : {"outputs", "inputs", "mailbox-size", "vendor", "product", "eight-byte-sii",
+                                            "object", "clock", "drift", "sync-missed"})
                 if (values.count(other) != 0 && !values[other].defaulted())
                     throw example::usage_error{std::string{"--esi and --"} + other + " exclude each other"};
             const auto read = esi::read_esi(values["esi"].as<std::string>());
             if (!read) throw std::runtime_error{read.error().message};
             file.emplace(*read);
         }
+        const auto bits = values["clock"].as<unsigned>();
+        if (bits != 0 && bits != 32 && bits != 64) throw example::usage_error{"--clock must be 0, 32 or 64"};
+        const auto clock = bits == 0    ? ethercat::clock_width::no_clock
+                           : bits == 32 ? ethercat::clock_width::bits_32
+                                        : ethercat::clock_width::bits_64;
+        const auto drift = static_cast<std::int32_t>(within("drift", values["drift"].as<unsigned>(), 0, 1000)) * 1000;
+        const std::chrono::nanoseconds cable{within("cable", values["cable"].as<unsigned>(), 0, 100'000)};
         std::deque<node> nodes;
         const auto count = within("slaves", values["slaves"].as<std::size_t>(), 1, 100);
         for (std::size_t i = 1; i <= count; ++i) {
@@ -336,10 +356,18 @@ int main(int argc, char** argv) {
                                                           .name = "JausCat emulated slave",
                                                           .eight_byte_sii_reads = values["eight-byte-sii"].as<bool>(),
                                                           .outputs = outputs.entries,
-                                                          .inputs = inputs.entries};
+                                                          .inputs = inputs.entries,
+                                                          .clock = clock,
+                                                          .sync_missed_limit =
+                                                              values["sync-missed"].as<std::uint16_t>()};
             nodes.emplace_back(i, description, rules, objects);
+            // Up to the drift, evenly: the first is slow by all of it, the last fast.
+            const auto step = static_cast<std::int64_t>(i - 1) * 2 * drift / static_cast<std::int64_t>(count);
+            nodes.back().slave().set_clock_error(
+                {.drift = static_cast<std::int32_t>(step - drift), .start = i * 1'000'000'007, .step = 10});
         }
-        return example::with_link(values, example::link_end::slave,
-                                  [&](auto& link, const std::string& where) { return serve(link, where, nodes); });
+        return example::with_link(values, example::link_end::slave, [&](auto& link, const std::string& where) {
+            return serve(link, where, nodes, cable);
+        });
     });
 }

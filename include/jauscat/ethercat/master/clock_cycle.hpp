@@ -49,7 +49,7 @@ struct clock_statistics {
 class clock_cycle {
   public:
     /// `slaves` as set_up_clocks has left them, which has given `network`; they outlive this. `system_time` is the
-    /// reference clock's now, within 2 s.
+    /// reference clock's at the first frame, within 2 s.
     clock_cycle(std::span<const clock_record> slaves, const clock_network& network, std::uint64_t system_time,
                 const clock_watch_options& options = {}) noexcept
         : slaves_{slaves},
@@ -64,7 +64,7 @@ class clock_cycle {
         if (outstanding_.waits()) ++statistics_.lost;
         outstanding_.forget();
         has_time_ = returned_ = false;
-        time_ += static_cast<std::uint64_t>(options_.control.period.count());
+        estimate(now);
         if (is_lost()) return 0;
         frame_builder frame{out, ++index_};
         // Slaves that the reference clock's time does not reach take the estimate instead.
@@ -126,6 +126,13 @@ class clock_cycle {
         return (*first).header.cmd == command::frmw && (*first).header.more;
     }
 
+    // The time that has passed by this clock, less its drift.
+    void estimate(time_point now) noexcept {
+        const std::int64_t passed = estimates_ ? (now - estimated_at_).count() : 0;
+        time_ += static_cast<std::uint64_t>(passed - passed / 1'000 * control_.drift() / 1'000'000);
+        estimated_at_ = now;
+        estimates_ = true;
+    }
     // The estimate itself comes back where the reference clock has not answered.
     void take_time(std::uint64_t time) noexcept {
         if (time == time_) return;
@@ -159,6 +166,8 @@ class clock_cycle {
     outstanding_frame<2> outstanding_{};
     std::uint8_t index_{};
     bool has_time_{}, returned_{};
+    bool estimates_{};
+    time_point estimated_at_{};
     unsigned silent_{}; // cycles
     std::uint32_t difference_{};
     unsigned above_{}; // cycles beyond the warning limit

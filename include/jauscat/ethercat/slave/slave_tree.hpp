@@ -30,13 +30,19 @@ class slave_tree {
             slaves[each.parent].device->set_connected(each.parent_port, true);
     }
 
-    /// The frame is sent `now`: passes all slaves and is changed in place. Gives when it is back. The next one is sent
-    /// later.
+    /// The frame is sent `now`: passes all slaves and is changed in place, then their applications work. Gives when it
+    /// is back. The next one is sent later.
     time_point process(std::span<std::byte> frame, time_point now) noexcept {
+        const auto back = pass(frame, now);
+        for (auto& each : slaves_) each.device->work();
+        return back;
+    }
+    /// The controllers' part of `process`: the applications do not get to run.
+    time_point pass(std::span<std::byte> frame, time_point now) noexcept {
         for (std::size_t i = 0; i != slaves_.size(); ++i) {
             if (i != 0) now = climb(i - 1, slaves_[i].parent, now);
             now += slaves_[i].cable;
-            slaves_[i].device->process(frame, now);
+            slaves_[i].device->pass(frame, now);
             now += through_;
         }
         if (slaves_.empty()) return now;
