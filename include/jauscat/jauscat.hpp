@@ -4,12 +4,14 @@
 #include <jauscat/base/time.hpp>
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/bridge/image_exchange.hpp>
+#include <jauscat/bridge/joints/joint_group.hpp>
 #include <jauscat/bridge/listed_objects.hpp>
 #include <jauscat/bridge/message_assembly.hpp>
 #include <jauscat/bridge/object_creation.hpp>
 #include <jauscat/bridge/object_list.hpp>
 #include <jauscat/bridge/packet_exchange.hpp>
 #include <jauscat/bridge/ring.hpp>
+#include <jauscat/ethercat/cia402/emulated_drive.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/ethercat/hilscher/packet_job.hpp>
