@@ -357,3 +357,57 @@ TEST_CASE("each cycle counts the slaves of the ring") {
         CHECK_FALSE(data.is_complete());
     }
 }
+
+TEST_CASE("the process data of many slaves are set up at once") {
+    chain c{256};
+    REQUIRE(*c.run(bring_up_all{c.places}) == 256);
+    std::vector<configure_place> places;
+    for (std::uint16_t station = 1; station != 257; ++station) places.emplace_back(station);
+    places.emplace_back(std::uint16_t{999});
+    REQUIRE(c.run(configure{1}));
+    auto before = c.sent();
+    REQUIRE(c.run(configure{2}));
+    CHECK(c.sent() - before == 55);
+    before = c.sent();
+    CHECK(*c.run(configure_all{places}) == 256);
+    CHECK(c.sent() - before == 1258);
+    CHECK(places[256].error.code == master_errc::wrong_station);
+    std::vector<state_place> all;
+    for (std::uint16_t station = 1; station != 257; ++station) all.emplace_back(station);
+    REQUIRE(*c.run(change_states{all, al_state::op}) == 256);
+    // Each has a place of its own.
+    CHECK(process_image::of(c.master.slaves()).size == 256 * 8);
+    std::vector<bool> used(256 * 8);
+    for (const auto& slave : c.master.slaves())
+        for (auto at = slave.process_data.output_address; at != slave.process_data.end(); ++at) {
+            CHECK_FALSE(used[at]);
+            used[at] = true;
+        }
+    // Configured once more, each keeps its place.
+    const auto place = c.master.find(77)->process_data;
+    REQUIRE(*c.run(change_states{all, al_state::pre_op}) == 256);
+    CHECK(*c.run(configure_all{places}) == 256);
+    CHECK(c.master.find(77)->process_data == place);
+}
+
+TEST_CASE("process data of many slaves are set up over a bad link, and over one that copies frames") {
+    for (const bool copies : {false, true}) {
+        chain c{
+            20, motor, {.frame_timeout = 1ms, .frame_lifetime = 3ms, .frames_may_be_copied = copies, .retries = 20}};
+        c.link.faults = {.lose = 10, .duplicate = 10, .copy = copies ? 20u : 0u, .delay = 20};
+        std::vector<configure_place> places;
+        for (std::uint16_t station = 1; station != 21; ++station) places.emplace_back(station);
+        for (int i = 0; i != 5; ++i) {
+            REQUIRE(*c.run(bring_up_all{c.places}) == 20);
+            const auto done = c.run(configure_all{places});
+            CAPTURE(copies, i);
+            for (const auto& each : places) CHECK(describe(each.error) == describe(master_error{}));
+            REQUIRE(done == master_result<std::size_t>{20u});
+            CHECK(process_image::of(c.master.slaves()).size == 20 * 8);
+        }
+        c.link.faults = {.lose = 100};
+        CHECK(c.run(configure_all{places}).error().code == master_errc::no_reply);
+        for (const auto& each : places) CHECK(each.error.code == master_errc::no_reply);
+        for (const auto& slave : c.master.slaves()) CHECK(slave.watchdog == 0ns);
+    }
+}

@@ -9,7 +9,6 @@
 #include <jauscat/ethercat/master/mailbox_exchange.hpp>
 #include <jauscat/ethercat/master/mailbox_session.hpp>
 #include <jauscat/ethercat/master/parallel_steps.hpp>
-#include <jauscat/ethercat/master/process_setup.hpp>
 #include <jauscat/ethercat/master/ring_scan.hpp>
 #include <jauscat/ethercat/master/sdo_information.hpp>
 #include <jauscat/ethercat/master/sdo_transfer.hpp>
@@ -18,6 +17,7 @@
 #include <jauscat/ethercat/master/slave_identification.hpp>
 #include <jauscat/ethercat/master/slave_list.hpp>
 #include <jauscat/ethercat/master/slave_location.hpp>
+#include <jauscat/ethercat/master/slave_setup.hpp>
 #include <jauscat/ethercat/master/state_change.hpp>
 #include <jauscat/ethercat/master/sync_setup.hpp>
 
@@ -143,9 +143,9 @@ template <class Place> class parallel_machine {
   public:
     using steps = parallel_steps<Place>;
     void request(frame_builder& frame) noexcept { steps_.request(frame); }
-    [[nodiscard]] static constexpr bool was_refused() noexcept { return false; }
-    [[nodiscard]] static constexpr bool is_repeatable() noexcept { return true; }
-    static constexpr void lost() noexcept {}
+    [[nodiscard]] bool was_refused() const noexcept { return steps_.was_refused(); }
+    [[nodiscard]] bool is_repeatable() const noexcept { return steps_.is_repeatable(); }
+    void lost() noexcept { steps_.lost(); }
     [[nodiscard]] master_error cancel(const master_error& why) noexcept {
         steps_.cancel(why);
         return why;
@@ -275,55 +275,66 @@ template <> class job_machine<locate_slaves> : public detail::plain_machine<slav
     std::size_t known_{}, unknown_{};
 };
 
+namespace detail {
+
+/// Whether the process data of a slave may be set up.
+[[nodiscard]] inline master_error begin_setup(slave_list& slaves, std::uint16_t station,
+                                              std::chrono::nanoseconds watchdog, slave_record*& slave) noexcept {
+    if (const auto wrong = choose(slaves, station, slave); wrong != master_error{}) return wrong;
+    if (watchdog_units(watchdog) == 0) return {.code = master_errc::watchdog_range};
+    return {};
+}
+
+} // namespace detail
+
 template <> class job_machine<configure> {
   public:
-    using steps = process_setup;
+    using steps = slave_setup;
     [[nodiscard]] master_error begin(const configure& job, ring_knowledge& ring, const master_config& config) noexcept {
-        if (const auto wrong = detail::choose(ring.slaves, job.station, slave_); wrong != master_error{}) return wrong;
-        slave_->watchdog = {};
-        setup_ = process_setup{*slave_, ring.slaves.image_end_without(*slave_), job.watchdog, config.logical_base};
-        if (watchdog_units(job.watchdog) == 0) return {.code = master_errc::watchdog_range};
-        return {};
+        slave_record* slave{};
+        const auto wrong = detail::begin_setup(ring.slaves, job.station, job.watchdog, slave);
+        if (slave == nullptr) return wrong;
+        image_end_ = ring.slaves.image_end(slave);
+        steps_ = slave_setup{*slave, image_end_, job.watchdog, config.logical_base};
+        return wrong;
     }
-    void request(frame_builder& frame) noexcept {
-        if (uploads_)
-            upload_.request(frame);
-        else
-            setup_.request(frame);
-    }
+    void request(frame_builder& frame) noexcept { steps_.request(frame); }
     progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
-        auto next = uploads_ ? upload_.reply(datagrams, now, config) : setup_.reply(datagrams, now, config);
-        if (uploads_ && next == progress::done) {
-            uploads_ = false;
-            next = setup_.uploaded(upload_.result());
-        }
-        if (next != progress::done && !uploads_ && setup_.wants_upload()) {
-            uploads_ = true;
-            upload_ = {};
-            upload_.begin(*slave_, setup_.upload());
-        }
-        return next;
+        return steps_.reply(datagrams, now, config);
     }
-    [[nodiscard]] bool was_refused() const noexcept { return uploads_ && upload_.was_refused(); }
-    [[nodiscard]] bool is_repeatable() const noexcept { return !uploads_ || upload_.is_repeatable(); }
-    void lost() noexcept {
-        if (uploads_) upload_.lost();
-    }
-    [[nodiscard]] master_error cancel(const master_error& why) noexcept { return uploads_ ? upload_.cancel(why) : why; }
-    [[nodiscard]] master_error complete(ring_knowledge&) noexcept {
-        if (setup_.result()) {
-            slave_->process_data = setup_.place();
-            slave_->watchdog = setup_.watchdog();
-        }
-        return setup_.result().error();
-    }
-    [[nodiscard]] const process_place& value() const noexcept { return setup_.place(); }
+    [[nodiscard]] bool was_refused() const noexcept { return steps_.was_refused(); }
+    [[nodiscard]] bool is_repeatable() const noexcept { return steps_.is_repeatable(); }
+    void lost() noexcept { steps_.lost(); }
+    [[nodiscard]] master_error cancel(const master_error& why) noexcept { return steps_.cancel(why); }
+    [[nodiscard]] master_error complete(ring_knowledge&) noexcept { return steps_.result().error(); }
+    [[nodiscard]] const process_place& value() const noexcept { return steps_.place(); }
 
   private:
-    slave_record* slave_{};
-    process_setup setup_{};
-    mailbox_session<sdo_transfer> upload_{};
-    bool uploads_{};
+    std::uint32_t image_end_{};
+    steps steps_{};
+};
+
+template <> class job_machine<configure_all> : public detail::parallel_machine<configure_place> {
+  public:
+    [[nodiscard]] master_error begin(const configure_all& job, ring_knowledge& ring,
+                                     const master_config& config) noexcept {
+        image_end_ = ring.slaves.image_end();
+        places_ = job.places;
+        steps_ = steps{job.places, config.frames_may_be_copied};
+        for (auto& each : places_) {
+            slave_record* slave{};
+            each.error = detail::begin_setup(ring.slaves, each.station, job.watchdog, slave);
+            if (each.error == master_error{})
+                steps_.begin(each, slave_setup{*slave, image_end_, job.watchdog, config.logical_base});
+        }
+        return {};
+    }
+    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
+        return steps_.reply(datagrams, now, config, [](const configure_place&, const slave_setup&) {});
+    }
+
+  private:
+    std::uint32_t image_end_{};
 };
 
 namespace detail {
@@ -559,8 +570,8 @@ template <> class job_machine<start_sync> : public detail::plain_machine<sync_se
 using any_job_machine =
     std::variant<std::monostate, job_machine<scan>, job_machine<bring_up>, job_machine<bring_up_all>,
                  job_machine<identify>, job_machine<identify_all>, job_machine<locate_slaves>, job_machine<configure>,
-                 job_machine<change_state>, job_machine<change_states>, job_machine<check>, job_machine<download>,
-                 job_machine<run_init_commands>, job_machine<upload>, job_machine<list_objects>,
+                 job_machine<configure_all>, job_machine<change_state>, job_machine<change_states>, job_machine<check>,
+                 job_machine<download>, job_machine<run_init_commands>, job_machine<upload>, job_machine<list_objects>,
                  job_machine<describe_object>, job_machine<describe_entry>, job_machine<collect_emergencies>,
                  job_machine<exchange_datagram>, job_machine<set_up_clocks>, job_machine<start_sync>>;
 

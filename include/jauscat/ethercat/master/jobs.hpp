@@ -9,6 +9,7 @@
 #include <jauscat/ethercat/master/slave_bring_up.hpp>
 #include <jauscat/ethercat/master/slave_identification.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
+#include <jauscat/ethercat/master/slave_setup.hpp>
 #include <jauscat/ethercat/master/state_change.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
 #include <jauscat/schema/ethercat/frame.hpp>
@@ -106,6 +107,23 @@ struct configure {
     /// If it has outputs, the slave will leave OP when it gets none for this time.
     std::chrono::nanoseconds watchdog = default_watchdog;
     using result_type = master_result<process_place>;
+};
+
+/// One of the slaves of configure_all: its station address, why it was not configured, and memory.
+struct configure_place : parallel_place<slave_setup> {
+    std::uint16_t station{};
+
+    configure_place() noexcept = default;
+    explicit configure_place(std::uint16_t of) noexcept : station{of} {}
+};
+
+/// Sets the process data of many slaves up at once, as `configure` does with one. Each place has the error of its
+/// slave, which does not stop the others; places in the process image are in the slaves' records. Gives the number of
+/// slaves without an error. Where frames may be copied, one slave is done after the other.
+struct configure_all {
+    std::span<configure_place> places{};
+    std::chrono::nanoseconds watchdog = default_watchdog;
+    using result_type = master_result<std::size_t>;
 };
 
 /// Takes a slave to another state, step by step. OP needs the cyclic exchange to be running. Errors: wrong_station,

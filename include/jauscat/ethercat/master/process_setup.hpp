@@ -24,14 +24,22 @@ namespace jauscat::ethercat {
 /// datagrams of the present step and `reply` takes their return. Stays in place while it runs.
 class process_setup {
   public:
+    /// At most, of a request: bytes and datagrams.
+    static constexpr std::size_t request_size() noexcept {
+        return datagram_overhead + max_fmmus * esc_registers::fmmu.size +
+               sii_survey::capacity * (2 * sync_manager_size + datagram_overhead + esc_registers::fmmu.size);
+    }
+    static constexpr std::size_t request_datagrams() noexcept { return 1 + 3 * sii_survey::capacity; }
+
     process_setup() noexcept = default;
-    /// `slave` is in PRE-OP. `image_end` is where the image of all other slaves ends: this one's place follows.
-    process_setup(const slave_record& slave, std::uint32_t image_end, std::chrono::nanoseconds watchdog,
+    /// `slave` is in PRE-OP. Its place begins at `image_end`, where that of all other slaves ends, and moves it. It
+    /// stays in place while this runs.
+    process_setup(const slave_record& slave, std::uint32_t& image_end, std::chrono::nanoseconds watchdog,
                   std::uint32_t logical_base = 0) noexcept
         : station_{slave.station},
           coe_{slave.mailbox.coe && slave.mailbox.receive_size != 0},
           before_{slave.process_data},
-          image_end_{image_end},
+          image_end_{&image_end},
           watchdog_units_{watchdog_units(watchdog)},
           logical_base_{logical_base} {}
 
@@ -113,6 +121,7 @@ class process_setup {
         check_watchdog,
     };
     static constexpr std::size_t max_fmmus = 16;
+    static constexpr std::size_t sync_manager_size = datagram_overhead + wire::max_size<sync_manager>;
 
     progress go(step next) noexcept {
         step_ = next;
@@ -183,13 +192,14 @@ class process_setup {
         if (used > fmmus_) return fail({.code = master_errc::no_fmmu, .fmmus = used});
         // A slave that comes back keeps its place.
         const bool same = outputs == before_.output_size && inputs == before_.input_size && before_.size() != 0;
-        place_.output_address = same ? before_.output_address : image_end_;
+        place_.output_address = same ? before_.output_address : *image_end_;
         if (std::size_t{outputs} + inputs >
             (place_.no_lrw ? max_slave_process_data_without_lrw : max_slave_process_data))
             return fail({.code = master_errc::image_full, .bytes = outputs + inputs});
         place_.input_address = place_.output_address + outputs;
         place_.output_size = static_cast<std::uint16_t>(outputs);
         place_.input_size = static_cast<std::uint16_t>(inputs);
+        *image_end_ = std::max(*image_end_, place_.end());
         return fmmus_ == 0 && survey_.managers().empty() ? progress::done : go(step::set_up);
     }
 
@@ -251,7 +261,7 @@ class process_setup {
     std::uint16_t station_{};
     bool coe_{};
     process_place before_{}, place_{};
-    std::uint32_t image_end_{};
+    std::uint32_t* image_end_{};
     std::uint16_t watchdog_units_{};
     std::uint32_t logical_base_{};
     std::uint8_t fmmus_{};

@@ -27,6 +27,8 @@ struct process_manager {
 /// runs. Errors: those of sii_read, sii_malformed, too_many_managers.
 class sii_survey {
   public:
+    static constexpr std::size_t capacity = 4; ///< SyncManagers with process data
+
     sii_survey() noexcept = default;
     /// With `sizes` the PDOs are read, too: a datagram pair for each entry, so only where nothing else tells the sizes.
     explicit sii_survey(bool sizes) noexcept : sizes_{sizes} {}
@@ -59,7 +61,6 @@ class sii_survey {
   private:
     enum class step : std::uint8_t { category, sync_manager, pdo, pdo_entry };
 
-    static constexpr std::size_t capacity = 4;
     static constexpr std::uint8_t max_managers = 32; // for which there are registers, and assignment objects
     static constexpr std::uint32_t sii_end = 0x8000; // words of the largest memory
     static constexpr unsigned max_categories = 100;  // an erased memory would have thousands

@@ -22,9 +22,11 @@ namespace jauscat::ethercat {
 /// place while it runs.
 class slave_bring_up {
   public:
-    /// Of a request: bytes and datagrams.
-    static constexpr std::size_t max_request_size = 2 * (datagram_overhead + wire::max_size<mailbox_managers>);
-    static constexpr std::size_t max_request_datagrams = 3;
+    /// At most, of a request: bytes and datagrams.
+    static constexpr std::size_t request_size() noexcept {
+        return 2 * (datagram_overhead + wire::max_size<mailbox_managers>);
+    }
+    static constexpr std::size_t request_datagrams() noexcept { return 3; }
 
     slave_bring_up() noexcept = default;
     /// Of the slave at `position`, from 0, which gets the station address `station` if it is `expected`. Other slaves

@@ -30,10 +30,11 @@ struct slave_identity {
 /// runs, in any state of the slave, which does not change.
 class slave_identification {
   public:
-    /// Of a request: bytes and datagrams.
-    static constexpr std::size_t max_request_size =
-        2 * datagram_overhead + wire::max_size<esc_word> + wire::max_size<al_status>;
-    static constexpr std::size_t max_request_datagrams = 2;
+    /// At most, of a request: bytes and datagrams.
+    static constexpr std::size_t request_size() noexcept {
+        return 2 * datagram_overhead + wire::max_size<esc_word> + wire::max_size<al_status>;
+    }
+    static constexpr std::size_t request_datagrams() noexcept { return 2; }
 
     slave_identification() noexcept = default;
     slave_identification(std::uint16_t station, bool wants_device_id) noexcept

@@ -60,12 +60,11 @@ class slave_list {
     /// Only while it is not full.
     void add_away(const slave_record& record) noexcept { memory_[memory_.size() - ++away_] = record; }
 
-    /// Where the process image of all other slaves ends, those that are away included.
-    [[nodiscard]] std::uint32_t image_end_without(const slave_record& slave) const noexcept {
+    /// Where the process image ends: that of all slaves but `one`, those that are away included.
+    [[nodiscard]] std::uint32_t image_end(const slave_record* one = nullptr) const noexcept {
         std::uint32_t end = 0;
         const auto add = [&](const slave_record& each) {
-            const bool is_same = each.position == slave.position || each.station == slave.station;
-            if (!is_same) end = std::max(end, each.process_data.end());
+            if (&each != one) end = std::max(end, each.process_data.end());
         };
         std::ranges::for_each(all(), add);
         std::ranges::for_each(away(), add);

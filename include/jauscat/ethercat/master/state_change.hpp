@@ -15,9 +15,9 @@ namespace jauscat::ethercat {
 /// that is not known the way leads over INIT.
 class state_change {
   public:
-    /// Of a request: bytes and datagrams.
-    static constexpr std::size_t max_request_size = datagram_overhead + wire::max_size<al_status>;
-    static constexpr std::size_t max_request_datagrams = 1;
+    /// At most, of a request: bytes and datagrams.
+    static constexpr std::size_t request_size() noexcept { return datagram_overhead + wire::max_size<al_status>; }
+    static constexpr std::size_t request_datagrams() noexcept { return 1; }
 
     state_change() noexcept = default;
     /// From whatever state the slave is in to `goal`.
