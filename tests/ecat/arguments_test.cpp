@@ -7,7 +7,8 @@ using namespace ecat_test;
 TEST_CASE("jauscat-ecat explains itself and each command") {
     const auto all = run("--help");
     CHECK(all.code == done);
-    for (const std::string command : {"scan", "info", "state", "read", "write", "sdos"}) {
+    for (const std::string command :
+         {"scan", "info", "state", "read", "write", "sdos", "sii", "pdos", "watch", "monitor", "esi"}) {
         INFO(command);
         CHECK(all.says("  " + command + " "));
         const auto one = run(command + " --help");
@@ -48,6 +49,9 @@ TEST_CASE("jauscat-ecat says what is wrong with a command line") {
         {"write 0x2000 maybe --type bool --link lo", "expected true or false"},
         {"write 0x2000 1e99 --type f32 --link lo", "expected a number such as 1.5"},
         {"sdos 0x6fff-0x6000 --link lo", "is no range of objects"},
+        {"monitor --link lo --period 0", "--period must be 50 to 60000000"},
+        {"watch --link lo --seconds never", "--seconds must be a time"},
+        {"sii --link lo --yes", "sii has no option --yes"},
     }));
     const auto ended = run(arguments);
     INFO(arguments << "\n" << ended.err);

@@ -15,7 +15,11 @@ const std::vector<std::string> commands{"scan",
                                         "state init --yes",
                                         "read 0x1008 --slave 0",
                                         "write 0x2000 1 --type u32 --slave 0 --yes",
-                                        "sdos --slave 0"};
+                                        "sdos --slave 0",
+                                        "sii --slave 0",
+                                        "pdos",
+                                        "watch",
+                                        "monitor --seconds 1"};
 
 } // namespace
 

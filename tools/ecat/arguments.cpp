@@ -99,6 +99,58 @@ Examples:
   jauscat-ecat sdos --link eth0 --slave 2
   jauscat-ecat sdos 0x6000-0x6FFF --values --link eth0 --slave 2
 )"},
+    command_help{
+        "sii", "", 0, 0, slave | output | raw, "show the SII memory (EEPROM), or save it",
+        R"(Shows the memory decoded: configuration, identity, mailbox, strings, SyncManagers, FMMUs, PDOs. --hex shows its bytes,
+--output writes them to a file. Only reads.
+
+Examples:
+  jauscat-ecat sii --link eth0 --slave 2
+  jauscat-ecat sii --link eth0 --slave 2 --hex
+  jauscat-ecat sii --link eth0 --slave 2 --output slave2.bin
+)"},
+    command_help{
+        "pdos", "", 0, 0, slave, "show the process data: PDOs, entries, their places",
+        R"(Shows the PDOs of each SyncManager and the objects in them. They come from the slave's objects (1C10h and up) where it has a
+CoE mailbox, else from the SII. A slave in INIT is taken to PRE-OP for the time of the command.
+
+Examples:
+  jauscat-ecat pdos --link eth0 --slave 2
+  jauscat-ecat pdos --link eth0 --format json
+)"},
+    command_help{
+        "watch", "", 0, 0, slave | times, "show the inputs of slaves in SAFE-OP or OP as they change",
+        R"(Reads the process data from each slave, repeatedly, and shows each entry with its value. Only reads; outputs are not shown,
+because a master cannot read them. To take slaves to SAFE-OP: jauscat-ecat state safe-op. The entries come from the SII.
+
+Examples:
+  jauscat-ecat watch --link eth0 --slave 2
+  jauscat-ecat watch --link eth0 --period 1000000 --seconds 10 --format json
+
+JSON: one line with an array of entries for each look.
+)"},
+    command_help{
+        "monitor", "", 0, 0, times, "watch frames, working counters and error counters of the ports",
+        R"(Sends one frame in each period, which all slaves read into, and shows at the end, or after Ctrl-C: how long the frames took,
+how many were lost, how many slaves took part, and how the error counters of each port (0300h to 0313h) have changed.
+Only reads.
+
+Examples:
+  jauscat-ecat monitor --link eth0
+  jauscat-ecat monitor --link eth0 --period 250 --seconds 60 --format json
+
+Exit code 1 if frames were lost, slaves were missing or counters have grown.
+)"},
+    command_help{
+        "esi", "FILE", 1, 1, slave, "compare a slave with an ESI file",
+        R"(Compares identity, mailbox, SyncManagers, FMMUs and PDOs in the SII, and, where the slave has SDO information, its objects,
+with the device in the file. A slave in INIT is taken to PRE-OP for the time of the command.
+
+Examples:
+  jauscat-ecat esi drive.xml --link eth0 --slave 2
+
+Exit code 1 if something differs.
+)"},
 };
 
 constexpr std::string_view head = R"(jauscat-ecat: looks at the slaves of an EtherCAT bus.

@@ -42,5 +42,10 @@ int state(const arguments& given);
 int read(const arguments& given);
 int write(const arguments& given);
 int sdos(const arguments& given);
+int sii(const arguments& given);
+int pdos(const arguments& given);
+int monitor(const arguments& given);
+int watch(const arguments& given);
+int esi(const arguments& given);
 
 } // namespace ecat

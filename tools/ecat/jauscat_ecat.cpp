@@ -16,8 +16,10 @@ std::atomic<bool> stop{false};
 
 int run(const arguments& given) {
     using entry = std::pair<std::string_view, int (*)(const arguments&)>;
-    constexpr std::array all{entry{"scan", scan}, entry{"info", info},   entry{"state", state},
-                             entry{"read", read}, entry{"write", write}, entry{"sdos", sdos}};
+    constexpr std::array all{entry{"scan", scan},       entry{"info", info},   entry{"state", state},
+                             entry{"read", read},       entry{"write", write}, entry{"sdos", sdos},
+                             entry{"sii", sii},         entry{"pdos", pdos},   entry{"watch", watch},
+                             entry{"monitor", monitor}, entry{"esi", esi}};
     for (const auto& [name, command] : all)
         if (name == given.command) return command(given);
     return wrong_usage;

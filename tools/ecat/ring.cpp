@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <thread>
 #include <unistd.h>
 
 namespace ecat {
@@ -277,6 +278,11 @@ void ring::guard(intent what) {
     if (foreign != 0) refuse("another master uses the link: its frames were heard");
     if (what == intent::change) refuse(which + ": a master has set it up, and may still use it");
     note(which + ": a master has set it up; this command only reads");
+}
+
+void sleep_until(jauscat::time_point due) {
+    for (auto now = jauscat::net::now(); now < due && !stop_requested(); now = jauscat::net::now())
+        std::this_thread::sleep_for(std::min<jauscat::duration>(due - now, milliseconds{50}));
 }
 
 void note(std::string_view text) { std::cerr << "jauscat-ecat: " << text << "\n"; }

@@ -137,6 +137,8 @@ class ring {
     std::string problem_{}; ///< of the link, when the last frame was lost
 };
 
+/// Ctrl-C ends the wait.
+void sleep_until(jauscat::time_point due);
 /// A line on standard error that is no error.
 void note(std::string_view text);
 /// Shows the progress of long work on a terminal; the line goes away at its end.

@@ -1,0 +1,68 @@
+// pdos: the process data of slaves.
+#include "ecat/arguments.hpp"
+#include "ecat/object_types.hpp"
+#include "ecat/process_objects.hpp"
+#include "ecat/value.hpp"
+
+#include <iostream>
+
+namespace ecat {
+
+namespace {
+
+std::string offset_text(std::size_t bits) {
+    return std::to_string(bits / 8) + (bits % 8 != 0 ? "." + std::to_string(bits % 8) : "");
+}
+value manager_value(std::uint8_t number) { return number == 255 ? value{number, "none"} : value{number}; }
+
+} // namespace
+
+int pdos(const arguments& given) {
+    ring on{given.link};
+    on.guard(intent::change);
+    list slaves;
+    std::vector<record> rows;
+    progress_line progress;
+    for (const auto position : chosen_slaves(given, on)) {
+        progress.show("slave " + std::to_string(position) + " of " + std::to_string(on.slaves()));
+        const auto found = read_process_objects(on, position, true);
+        list all;
+        for (const auto& pdo : found.pdos) {
+            list entries;
+            const auto direction = pdo.is_output ? "output" : "input";
+            for (const auto& each : pdo.entries) {
+                const auto type = each.type != 0 ? type_text(each.type) : std::string{};
+                entries.emplace_back(record{{"index", each.index},
+                                            {"subindex", each.subindex},
+                                            {"name", each.name},
+                                            {"type", type},
+                                            {"bits", each.bits},
+                                            {"bit_offset", each.bit_offset}});
+                rows.push_back({{"position", position},
+                                {"direction", direction},
+                                {"sync_manager", manager_value(pdo.sync_manager)},
+                                {"pdo", hex_value(pdo.index, 4)},
+                                {"byte", value{each.bit_offset, offset_text(each.bit_offset)}},
+                                {"bits", each.bits},
+                                {"object", each.index != 0 ? place_text(each.index, each.subindex) : "gap"},
+                                {"type", type},
+                                {"name", each.name}});
+            }
+            all.emplace_back(record{{"index", pdo.index},
+                                    {"name", pdo.name},
+                                    {"direction", direction},
+                                    {"sync_manager", manager_value(pdo.sync_manager)},
+                                    {"entries", entries}});
+        }
+        slaves.emplace_back(record{{"position", position}, {"source", found.source}, {"pdos", all}});
+    }
+    if (given.is_json)
+        print_json(slaves);
+    else if (rows.empty())
+        std::cout << "no process data\n";
+    else
+        print_table(rows);
+    return success;
+}
+
+} // namespace ecat
