@@ -142,6 +142,32 @@ sii() {
     says "its ports (Physics) cannot be emulated"
 }
 
+on_a_bus() {
+    local folder port bus
+    folder=$(dirname "$tool")
+    expect 0 --component 56=set_joint_velocities,report_joint_velocities --mailbox-size 200 --output "$work/joints.xml"
+    for port in $((20000 + $$ % 20000)) $((20001 + $$ % 20000)) $((20002 + $$ % 20000)); do # one of them is free
+        "$folder/emulated_bus" --esi "$work/joints.xml" --slaves 2 --ethercat-port "$port" >"$work/bus" 2>&1 &
+        bus=$!
+        until grep -q "waiting for a master" "$work/bus" || ! kill -0 $bus; do sleep 0.05; done 2>"$work/gone"
+        ! grep -q "waiting for a master" "$work/bus" || break
+    done
+    "$folder/cyclic" --ethercat-port "$port" --watchdog 2000 --seconds 1 --upload-every 100 >"$work/out" 2>"$work/err" ||
+        fail "the master found another slave: $(cat "$work/out" "$work/err" "$work/bus")"
+    kill $bus && wait $bus || fail "the bus did not end well: $(cat "$work/bus")"
+    says "with another working counter 0"
+    says "failed 0"
+    grep -q "slave 2: state op" "$work/bus" || fail "it was not in OP: $(cat "$work/bus")"
+    tool=$folder/emulated_bus
+    expect 1 --esi "$work/none.xml"
+    says "none.xml: cannot be read: No such file or directory"
+    expect 2 --esi "$work/joints.xml" --outputs 8
+    says "--esi and --outputs exclude each other"
+    sed 's/ProfileNo>0</ProfileNo>402</' "$work/joints.xml" >"$work/drive.xml"
+    expect 1 --esi "$work/drive.xml"
+    says "a device profile cannot be emulated"
+}
+
 wrong_arguments() {
     for component in 0 255 300 x 33x =reset; do
         expect 2 --component $component
