@@ -129,6 +129,8 @@ class emulated_device {
                                     .cycle_factor_0 = each.cycle_factor_0,
                                     .cycle_factor_1 = each.cycle_factor_1});
         description_.clock_modes = clock_modes_;
+        if (std::ranges::any_of(clock_modes_, [](const auto& each) { return each.assign_activate != 0; }))
+            description_.clock = ethercat::clock_width::bits_64; // the file does not have the width
         using namespace ethercat::standard_indices;
         description_.error_register = find_object(error_register) != nullptr;
         description_.hardware_version = hardware_ = text_of(hardware_version);
