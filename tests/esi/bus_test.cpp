@@ -207,6 +207,7 @@ TEST_CASE("a slave without a mailbox is rebuilt from its ESI file") {
 TEST_CASE("the modes of a distributed clock are in the ESI file and in category 60 of the SII") {
     auto slave = with_pdos(level, place);
     slave.clock_modes = test::sample_clock_modes;
+    slave.clock = clock_width::bits_64;
     CHECK(compare_on_bus(slave) == 12);
     const auto xml = esi::write_esi(esi::make_device(slave, test::sample_texts, {}, false));
     const auto has = [&](const char* part) { return xml.find(part) != xml.npos; };
