@@ -53,7 +53,7 @@ template <std::size_t Axes> std::array<bridging::joint_options, joints> options(
 template <std::size_t Axes = 1> struct arm {
     std::array<device<Axes>, joints / Axes> devices{};
     test::simulated_link link{[this](std::span<std::byte> frame) { pass(frame); }};
-    ethercat::master master{};
+    ethercat::master_for<16> master{};
     std::optional<ethercat::process_data> data{};
     bridging::joint_group<joints> group{options<Axes>()};
 

@@ -22,7 +22,7 @@ TEST_CASE("frames of another master are heard, and refused before anything is se
     std::atomic<bool> stop{};
     std::thread other{[&] {
         const auto link = jauscat::net::open_link("jc0");
-        ethercat::master master;
+        ethercat::master_for<16> master;
         std::array<std::byte, 2> data{};
         while (!stop) {
             static_cast<void>(
