@@ -54,7 +54,7 @@ template <std::size_t Axes = 1> struct arm {
     std::array<device<Axes>, joints / Axes> devices{};
     test::simulated_link link{[this](std::span<std::byte> frame) { pass(frame); }};
     ethercat::master_for<16> master{};
-    std::optional<ethercat::process_data> data{};
+    std::optional<ethercat::process_data_for<joints, 1024>> data{};
     bridging::joint_group<joints> group{options<Axes>()};
 
     arm() {
@@ -84,6 +84,7 @@ template <std::size_t Axes = 1> struct arm {
         for (int i = 0; i != count; ++i) {
             link.now += 1ms;
             std::vector<std::byte> frame(ethercat::max_frame_size);
+            data->begin_cycle();
             frame.resize(data->next_frame(frame, link.now));
             pass(frame);
             data->on_frame(frame);
