@@ -28,7 +28,7 @@ struct decoding {
 
 /// Whether the standard has a message of the command code.
 bool is_known(std::uint16_t command_code);
-/// Decodes the body of a message whose command code is known.
-decoded_body decode_body(std::span<const std::byte> body, const decoding& how);
+/// Decodes the body, `bytes`, of a message whose command code is known.
+decoded_body decode_body(std::span<const std::byte> bytes, const decoding& how);
 
 } // namespace jausdump
