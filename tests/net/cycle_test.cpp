@@ -4,6 +4,7 @@
 #include "support/hex.hpp"
 #include <jauscat/bridge/image_exchange.hpp>
 #include <jauscat/ethercat/slave/image_entries.hpp>
+#include <jauscat/ethercat/slave/loopback_link.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/link/cycle_runner.hpp>
@@ -226,4 +227,35 @@ TEST_CASE("the master sends no frame in the part of a cycle that is reserved for
     for (int i = 0; i != 5; ++i) CHECK(r.cycles.run(nothing).back);
     CHECK(r.cycles.run_job(1ns, nothing, nothing).error().code == ethercat::master_errc::timeout);
     CHECK(r.link.other_frames == 0);
+}
+
+TEST_CASE("the frames of a cycle are exchanged back to back, also over a link that holds one at a time") {
+    static std::array<ethercat::pdo_entry, 128> many{};
+    many.fill(ethercat::pdo_entry{0x7000, 1, 32, 7, "word"});
+    test::objects objects{};
+    const ethercat::slave_description description{.outputs = many, .inputs = many};
+    ethercat::standard_objects dictionary{description, objects};
+    std::vector<ethercat::slave> slaves(3, ethercat::slave{description, dictionary});
+    ethercat::loopback_link link{slaves};
+    ethercat::master_for<3> master;
+    for (std::uint16_t i = 0; i != 3; ++i) {
+        const auto at = static_cast<std::uint16_t>(i + 1);
+        REQUIRE(net::run(link, master, ethercat::bring_up{i, at}));
+        REQUIRE(net::run(link, master, ethercat::configure{at}));
+        REQUIRE(net::run(link, master, ethercat::change_state{at, ethercat::al_state::safe_op}));
+    }
+    ethercat::process_data_for<3, 3072> data{master.slaves(), {.watch_slaves = true}};
+    REQUIRE(data.frame_count() == 3);
+    net::cycle_runner cycles{link, data, master, {.period = 5ms}};
+    for (auto& each : slaves) each.inputs()[511] = std::byte{0x5A};
+    for (int i = 0; i != 3; ++i) {
+        const auto report = cycles.run(nothing);
+        CHECK(report.sent);
+        CHECK(report.back);
+    }
+    CHECK(data.is_complete());
+    CHECK(data.statistics().complete == 3);
+    CHECK(data.statistics().frames == 9);
+    CHECK(data.statistics().lost == 0);
+    for (const auto& slave : master.slaves()) CHECK(data.inputs(slave)[511] == std::byte{0x5A});
 }
