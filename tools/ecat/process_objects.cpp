@@ -51,7 +51,7 @@ process_objects from_objects(ring& on, std::uint16_t position) {
     constexpr std::uint8_t outputs = 3, inputs = 4;
     coe_mailbox mailbox{on, position};
     process_objects made{.source = "coe"};
-    auto managers = std::min<std::uint64_t>(mailbox.number(manager_types, 0), 32);
+    auto managers = static_cast<std::uint8_t>(std::min<std::uint64_t>(mailbox.number(manager_types, 0), 32));
     const bool are_typed = managers != 0;
     if (!are_typed) managers = 4;
     for (std::uint8_t manager = 2; manager < managers; ++manager) {
