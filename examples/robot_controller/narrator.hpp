@@ -284,6 +284,7 @@ class narrator {
         case bridging::stop_cause::slave_returned: return "slave_returned";
         case bridging::stop_cause::not_accepted: return "not_accepted";
         case bridging::stop_cause::program_ends: return "program_ends";
+        case bridging::stop_cause::drive_fault: return "drive_fault";
         }
         return "unknown";
     }
@@ -328,6 +329,7 @@ class narrator {
         case bridging::stop_cause::slave_returned: return "the slave is back";
         case bridging::stop_cause::not_accepted: return "the slave has not taken a command in time";
         case bridging::stop_cause::program_ends: return "the program ends";
+        case bridging::stop_cause::drive_fault: return "a drive has a fault";
         }
         return "stop";
     }

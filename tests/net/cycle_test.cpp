@@ -40,7 +40,7 @@ class lossy_link {
         const auto cmd = (*view.begin()).header.cmd;
         ++(cmd == ethercat::command::lrw ? process_frames : other_frames);
         std::vector<std::byte> passing(frame.begin(), frame.end());
-        for (auto& device : slaves_) device.process(passing);
+        for (auto& device : slaves_) device.process(passing, net::now());
         if (!loses(cmd)) back_.push_back(std::move(passing));
         max_waiting = std::max(max_waiting, back_.size());
         return true;
@@ -66,7 +66,8 @@ static_assert(ethercat::link<lossy_link>);
 struct robot {
     static constexpr ethercat::slave_description description{
         .outputs = ethercat::image_entries<wrench_effort_image, ethercat::image_objects::outputs>,
-        .inputs = ethercat::image_entries<wrench_effort_image, ethercat::image_objects::inputs>};
+        .inputs = ethercat::image_entries<wrench_effort_image, ethercat::image_objects::inputs>,
+        .clock = ethercat::clock_width::bits_64};
     test::objects objects{};
     ethercat::standard_objects dictionary{description, objects};
     std::array<ethercat::slave, 1> slaves{ethercat::slave{description, dictionary}};
@@ -258,4 +259,32 @@ TEST_CASE("the frames of a cycle are exchanged back to back, also over a link th
     CHECK(data.statistics().frames == 9);
     CHECK(data.statistics().lost == 0);
     for (const auto& slave : master.slaves()) CHECK(data.inputs(slave)[511] == std::byte{0x5A});
+}
+
+TEST_CASE("cycles carry the reference clock's time and follow it") {
+    robot r;
+    std::array clocks{ethercat::clock_record{.station = station}};
+    const auto network =
+        net::run(r.link, r.master, ethercat::set_up_clocks{.slaves = clocks, .options = {.drift_frames = 10}});
+    REQUIRE(network);
+    ethercat::clock_cycle clock{
+        clocks, *network, 0, {.control = {.period = 10ms, .phase = 5ms, .proportional = 2, .largest_correction = 5ms}}};
+    r.cycles.set_clocks(&clock);
+    duration least = 10ms;
+    for (int i = 0; i != 30; ++i) {
+        CHECK(r.cycles.run([] {}).sent);
+        CHECK(clock.is_complete());
+        CHECK(r.data.is_complete());
+        least = std::min(least, std::chrono::abs(clock.control().error()));
+    }
+    CHECK(least < 1ms);
+    CHECK(clock.statistics().sent == 30);
+    CHECK(clock.statistics().lost == 0);
+    r.link.loses = [](ethercat::command cmd) { return cmd == ethercat::command::frmw; };
+    for (int i = 0; i != 3; ++i) CHECK(r.cycles.run([] {}).sent); // process data go nevertheless
+    CHECK(clock.statistics().lost == 2);
+    CHECK(r.data.is_complete());
+    r.cycles.set_clocks(nullptr);
+    CHECK(r.cycles.run([] {}).back);
+    CHECK(clock.statistics().sent == 33);
 }

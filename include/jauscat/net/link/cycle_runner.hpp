@@ -2,6 +2,7 @@
 #pragma once
 
 #include <jauscat/ethercat/link.hpp>
+#include <jauscat/ethercat/master/clock_cycle.hpp>
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/master/process_data.hpp>
 #include <jauscat/net/link/cycle_timer.hpp>
@@ -46,6 +47,10 @@ template <class Link> class cycle_runner {
         ethercat::require_link<Link>();
     }
 
+    /// From now on each cycle sends the clocks' frame first, and the cycles follow the reference clock; nullptr: no
+    /// longer. Its period is that of the cycles. `clocks` outlives this.
+    void set_clocks(ethercat::clock_cycle* clocks) noexcept { clocks_ = clocks; }
+
     /// Waits for the next cycle, calls `prepare()`, which writes the outputs, and sends them at once. Then receives
     /// frames until the process data have returned and the master is idle, at most until the end of the cycle. The
     /// master sends when no process data are outstanding, or when they count as lost.
@@ -55,6 +60,7 @@ template <class Link> class cycle_runner {
         const auto masters_turn = start + config_.period / std::max(config_.loss_fraction, 1u);
         prepare();
         const auto begun = now();
+        send_clocks();
         report.sent = send_process_data();
         const auto settle = [&] {
             if (!waits(report) || data_.waits()) return;
@@ -65,11 +71,12 @@ template <class Link> class cycle_runner {
         // A thread that was preempted until the end of the cycle still processes received frames, up to a limit.
         // Process data count as lost only if no frame has arrived by the master's turn: a link may hold one at a time.
         bool none_arrived = false;
-        for (unsigned late_frames = 0; waits(report) || !master_.idle();) {
+        const auto outstanding = [&] { return waits(report) || (clocks_ != nullptr && clocks_->waits()); };
+        for (unsigned late_frames = 0; outstanding() || !master_.idle();) {
             const auto at = now();
             const bool over = at >= end;
-            if (over && (!waits(report) || ++late_frames == max_late_frames)) break;
-            const bool works = !waits(report) || (none_arrived && !over);
+            if (over && (!outstanding() || ++late_frames == max_late_frames)) break;
+            const bool works = !outstanding() || (none_arrived && !over);
             const auto wake = std::min(end, works ? work(at, end) : masters_turn);
             const auto received = link_.receive(received_, std::max(wake - now(), duration{}));
             if (received == 0) {
@@ -80,6 +87,7 @@ template <class Link> class cycle_runner {
             take(std::span{received_}.first(received));
             settle();
         }
+        if (clocks_ != nullptr) timer_.shift(clocks_->end_cycle());
         return report;
     }
 
@@ -120,14 +128,23 @@ template <class Link> class cycle_runner {
         while (const auto size = data_.next_frame(frame_, now())) {
             const auto frame = std::span{frame_}.first(size);
             is_sent = true;
-            if (link_.send(frame)) continue;
-            while (const auto received = link_.receive(received_, duration{}))
-                take(std::span{received_}.first(received));
-            is_refused = !link_.send(frame) || is_refused;
+            is_refused = !send(frame) || is_refused;
         }
         return is_sent && !is_refused;
     }
+    bool send(std::span<const std::byte> frame) {
+        if (link_.send(frame)) return true;
+        while (const auto received = link_.receive(received_, duration{})) take(std::span{received_}.first(received));
+        return link_.send(frame);
+    }
+    // A link that refuses the frame loses it, as a wire does.
+    void send_clocks() {
+        if (clocks_ == nullptr) return;
+        const auto size = clocks_->next_frame(frame_, now());
+        if (size != 0) static_cast<void>(send(std::span{frame_}.first(size)));
+    }
     void take(std::span<const std::byte> frame) {
+        if (clocks_ != nullptr && clocks_->on_frame(frame)) return;
         if (!data_.on_frame(frame)) master_.on_frame(frame, now());
     }
 
@@ -146,6 +163,7 @@ template <class Link> class cycle_runner {
     Link& link_;
     ethercat::process_data& data_;
     ethercat::master& master_;
+    ethercat::clock_cycle* clocks_{};
     cycle_config config_;
     cycle_timer timer_;
     std::array<std::byte, ethercat::max_frame_size> frame_{}; // to be sent

@@ -23,7 +23,7 @@ class cycle_timer {
 
     /// Waits for the next instant and returns the delay, 0 or more. An instant that has passed by less than half a
     /// period is still used, because a caller that waited until the end of a cycle is a little late. Instants that have
-    /// passed by more are skipped and counted as overruns. The later ones do not shift.
+    /// passed by more are skipped and counted as overruns. The later ones shift only by `shift`.
     duration wait() noexcept {
         due_ += period_;
         auto at = now();
@@ -38,7 +38,9 @@ class cycle_timer {
         return at - due_;
     }
 
-    /// The instant of the last `wait`.
+    /// The next instant, and all later ones, come later by this; negative: earlier.
+    void shift(duration by) noexcept { due_ += by; }
+    /// The instant of the last `wait`, less what it was shifted by since.
     [[nodiscard]] time_point due() const noexcept { return due_; }
     /// Number of skipped instants.
     [[nodiscard]] std::uint64_t overruns() const noexcept { return overruns_; }
