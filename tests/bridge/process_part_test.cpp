@@ -10,7 +10,7 @@ namespace {
 
 /// An arm: one component in front of as many actuators as joints.
 struct arm {
-    explicit arm(std::size_t joints) : r{joints, true, &part} { r.run_until_ready(); }
+    explicit arm(std::size_t joints) : r{joints, true, {&part}} { r.run_until_ready(); }
 
     std::uint16_t drive(double percent) {
         jaus::basic_set_joint_efforts<joint_part::most> message{};
@@ -82,7 +82,7 @@ TEST_CASE("a lost slave brings the others of its component to rest") {
     CHECK(!a.r.is_acknowledged(number));
     a.r.run(20ms);
     if (a.r.dead_from != 3) CHECK(a.part.missing <= 1);
-    a.r.dead_from = 100;
+    a.r.dead_from = 1000;
     a.r.run_until_ready();
     CHECK(a.part.starts == 2);
     CHECK(a.is_at_rest());
@@ -176,4 +176,31 @@ TEST_CASE("slaves with other process data than a part needs are not served") {
     CHECK(part.start({&wrong, 1}, 10ms).error() == jauscat::translate::errc::wrong_size);
     bridging::wrench_effort_part efforts;
     CHECK(efforts.start({&wrong, 1}, 10ms).error() == jauscat::translate::errc::wrong_size);
+}
+
+TEST_CASE("256 slaves in one ring: the loss of one stops its own component alone, within two cycles") {
+    constexpr std::size_t joints = 32, arms = 8;
+    std::deque<joint_part> parts(arms);
+    std::vector<bridging::process_part*> groups;
+    for (auto& each : parts) groups.push_back(&each);
+    rig r{arms * joints, true, groups};
+    r.run_until_ready();
+    CHECK(r.bus.process_data().fits());
+    jaus::basic_set_joint_efforts<joint_part::most> message{};
+    for (std::size_t i = 0; i != joints; ++i) REQUIRE(message.joint_effort.push_back(static_cast<double>(i)));
+    std::vector<std::uint16_t> numbers;
+    for (std::size_t i = 0; i != arms; ++i) numbers.push_back(r.tell(message, i));
+    for (const auto number : numbers) r.run_until([&] { return r.is_acknowledged(number); });
+    for (std::size_t i = 0; i != arms * joints; ++i)
+        CHECK(r.motor(i).effort == Approx(static_cast<double>(i % joints)).margin(0.01));
+
+    r.actuators[5 * joints + 17].power_cycle();
+    CHECK(r.run_until([&] { return r.unit(5).state() == status::failure; }) <= 21ms);
+    CHECK(r.run_until([&] { return r.motor(5 * joints + 31).effort == 0; }) <= 21ms);
+    r.run(50ms);
+    CHECK(r.watcher.lost == 1);
+    for (std::size_t i = 0; i != arms; ++i)
+        if (i != 5) CHECK(r.motor(i * joints + 31).effort == Approx(31).margin(0.01));
+    r.run_until_ready();
+    CHECK(r.motor(5 * joints + 31).effort == 0);
 }

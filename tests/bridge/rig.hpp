@@ -63,8 +63,8 @@ class rig {
     static constexpr jaus::address operator_unit{.instance = 1, .component = 32, .node = 1, .subsystem = 1};
     static constexpr jaus::address stranger{.instance = 1, .component = 32, .node = 1, .subsystem = 3};
 
-    /// With `group` one unit, 2.2.33.1, is in front of all slaves.
-    explicit rig(std::size_t slaves = 1, bool cyclic = false, bridging::process_part* group = nullptr)
+    /// With `groups` each part has a unit in front of its share of the slaves: 2.2.33.1, 2.3.33.1, ...
+    explicit rig(std::size_t slaves = 1, bool cyclic = false, const std::vector<bridging::process_part*>& groups = {})
         : options{cyclic ? bridging::at_rest_within(bridging::at_rest_in_cycles, 10ms)
                          : bridging::at_rest_within(bridging::at_rest_by_mailbox)} {
         for (std::size_t i = 0; i != slaves; ++i) {
@@ -77,16 +77,18 @@ class rig {
                                                         .cyclic = cyclic},
                                 exchanges.back(), options, memories_.back(), watcher.observer());
             REQUIRE(bus.add(fronts.back()));
-            if (group != nullptr) continue;
+            if (!groups.empty()) continue;
             if (cyclic)
                 units.emplace_back(unit_address(i), fronts.back(), process_parts.emplace_back(), core_options);
             else
                 units.emplace_back(unit_address(i), fronts.back(), core_options);
         }
-        if (group == nullptr) return;
-        std::vector<bridging::slave_front*> all;
-        for (auto& each : fronts) all.push_back(&each);
-        units.emplace_back(unit_address(0), all, *group, core_options);
+        for (std::size_t i = 0; i != groups.size(); ++i) {
+            std::vector<bridging::slave_front*> share;
+            for (std::size_t k = 0; k != slaves / groups.size(); ++k)
+                share.push_back(&fronts[i * slaves / groups.size() + k]);
+            units.emplace_back(unit_address(i), share, *groups[i], core_options);
+        }
     }
 
     static jaus::address unit_address(std::size_t i) {
@@ -189,14 +191,14 @@ class rig {
     std::deque<bridging::slave_front> fronts{};
     std::deque<bridging::wrench_effort_part> process_parts{};
     std::deque<bridging::component> units{};
-    bridging::ring bus{options};
+    bridging::ring_for<256, 16384> bus{options};
     std::vector<std::vector<std::byte>> messages{};
     jaus::component_outcome last_outcome{};
     jauscat::time_point now{1s};
     std::chrono::nanoseconds round_trip{200us};
     bool cable_is_out{};
-    std::size_t dead_from{100}; ///< slaves from here on do not get frames
-    unsigned frames_to_lose{};  ///< the next frames
+    std::size_t dead_from{1000}; ///< slaves from here on do not get frames
+    unsigned frames_to_lose{};   ///< the next frames
     std::function<void(std::span<std::byte>)> on_way_back{};
     std::uint64_t frames{};
 

@@ -76,7 +76,7 @@ struct bridge_program::life_data {
     bridge_program& mine;
     bridging::bridge_options options;
     std::deque<unit> units{};
-    std::optional<bridging::ring> bus{};
+    std::optional<bridging::ring_for<16, 4096>> bus{};
     bool ends{};
     time ends_since{};
 };

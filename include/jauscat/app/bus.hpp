@@ -15,7 +15,7 @@
 namespace jauscat {
 inline namespace JAUSCAT_WAY {
 
-/// The master of an EtherCAT bus of up to 16 slaves.
+/// The master of an EtherCAT bus of up to 256 slaves, with up to 32 KiB of process data.
 ///
 ///     jauscat::bus bus{node.context(), "eth0"};
 ///     co_await bus.async_start();

@@ -52,7 +52,7 @@ enum class bus_errc : std::uint8_t {
     case bus_errc::no_slaves: return "no slave takes part: check cable and power";
     case bus_errc::no_such_slave: return "no slave is as required: check position, alias, name and identity";
     case bus_errc::ambiguous: return "several slaves are as required: name one by its position or its alias";
-    case bus_errc::too_many_slaves: return "a bus has at most 16 slaves";
+    case bus_errc::too_many_slaves: return "a bus has at most 256 slaves";
     case bus_errc::wrong_slave: return "another slave than the required one is at the position: check order and wiring";
     case bus_errc::slave_lost: return "the slave does not answer to its address: check its power and its cables";
     case bus_errc::no_objects: return "the slave has no CoE mailbox, and so no objects";

@@ -17,10 +17,6 @@
 
 namespace jauscat::bridging {
 
-/// Slaves of a ring, and bytes of their process data.
-inline constexpr std::size_t slave_capacity = 16;
-inline constexpr std::size_t image_capacity = 4096;
-
 /// Jobs of others than a ring for its master. One that keeps a stop order waiting is cancelled: its error is then
 /// `timeout`.
 struct shared_jobs {
@@ -28,6 +24,50 @@ struct shared_jobs {
     jaus::hook<bool(ethercat::master& idle)> begin{};
     /// That job has ended. Its result is the master's until this has returned.
     jaus::hook<void(ethercat::master& idle)> done{};
+};
+
+/// A slave of a ring; the ring's own.
+struct ring_place {
+    enum class phase : std::uint8_t {
+        absent,     // next: bring_up
+        pre_op,     // cyclic: next is configure
+        configured, // next: SAFE-OP
+        safe_op,    // next: OP; its process data are exchanged from here on
+        settling,   // in OP; until its inputs are there
+        up,
+    };
+
+    slave_front* front{};
+    phase at{};
+    ethercat::master_error bring_up{};
+    time_point next_try = time_point::min();
+    time_point next_keep_alive{};
+    time_point last_seen{}; // in a state in which it can be commanded
+    time_point settling_until{};
+    bool takes_keep_alive{true};
+    bool has_reply{};
+    std::span<std::byte> outputs{}; // in data_, if it is exchanged
+    std::span<const std::byte> inputs{};
+    const ethercat::slave_status* status{};
+};
+
+/// What a ring keeps in memory of the user, for as many slaves as each span has elements.
+struct ring_memory {
+    std::span<ring_place> places{};
+    std::span<ethercat::slave_record> records{};
+    std::span<ethercat::slave_record> exchanged{}; ///< those in the process data
+    std::span<ethercat::process_slot> slots{};
+    std::span<std::byte> image{}; ///< all outputs and inputs, up to 64 KiB
+};
+
+/// Memory for up to `Slaves` slaves and `Bytes` of process data.
+template <std::size_t Slaves, std::size_t Bytes> struct ring_memory_for {
+    std::array<ring_place, Slaves> places{};
+    std::array<ethercat::slave_record, Slaves> records{}, exchanged{};
+    std::array<ethercat::process_slot, Slaves> slots{};
+    std::array<std::byte, Bytes> image{};
+
+    [[nodiscard]] ring_memory spans() noexcept { return {places, records, exchanged, slots, image}; }
 };
 
 /// Other work on the same link goes by the same master, in turn with the slaves' jobs: see `share`.
@@ -39,18 +79,23 @@ class ring {
   public:
     using bytes = std::span<const std::byte>;
 
-    /// The options must outlive it. The watchdog, the times of loss and the keep-alive of each slave are those of its
-    /// front; the period is the shortest of all.
-    explicit ring(const bridge_options& options) noexcept : options_{options} {}
+    /// Options and memory must outlive it: see ring_for. The watchdog, the times of loss and the keep-alive of each
+    /// slave are those of its front; the period is the shortest of all.
+    ring(const bridge_options& options, const ring_memory& memory) noexcept
+        : options_{options},
+          master_{memory.records},
+          data_{memory.slots, memory.image.first(std::min(memory.image.size(), max_image))},
+          memory_{memory.places},
+          records_{memory.exchanged} {}
     ring(const ring&) = delete;
     ring& operator=(const ring&) = delete;
 
     /// Adds a slave of this link, not from within a turn. It must outlive the ring, or be removed. False if the ring is
     /// full.
     [[nodiscard]] bool add(slave_front& front) noexcept {
-        if (place_count_ == places_.size()) return false;
-        places_[place_count_] = {};
-        places_[place_count_++].front = &front;
+        if (place_count_ == memory_.size()) return false;
+        memory_[place_count_] = {};
+        memory_[place_count_++].front = &front;
         return true;
     }
     /// Removes a slave, not from within a turn: it is left as it is. Bring it to rest before, see `shut_down`.
@@ -173,36 +218,18 @@ class ring {
     }
 
   private:
+    static constexpr unsigned window_bits = 16; // holds every image
+    static constexpr std::size_t max_image = std::size_t{1} << window_bits;
     static constexpr std::size_t message_size = jaus::header_size + jaus::max_body_size;
 
-    enum class phase : std::uint8_t {
-        absent,     // next: bring_up
-        pre_op,     // cyclic: next is configure
-        configured, // next: SAFE-OP
-        safe_op,    // next: OP; its process data are exchanged from here on
-        settling,   // in OP; until its inputs are there
-        up,
-    };
-    struct place {
-        slave_front* front{};
-        phase at{};
-        ethercat::master_error bring_up{};
-        time_point next_try = time_point::min();
-        time_point next_keep_alive{};
-        time_point last_seen{}; // in a state in which it can be commanded
-        time_point settling_until{};
-        bool takes_keep_alive{true};
-        bool has_reply{};
-        std::span<std::byte> outputs{}; // in data_, if it is exchanged
-        bytes inputs{};
-        const ethercat::slave_status* status{};
-    };
+    using place = ring_place;
+    using phase = place::phase;
     // Purpose of the master's current job.
     enum class work : std::uint8_t { none, scan, bring_up, configure, safe_op, op, collect, message, shared };
     enum class purpose : std::uint8_t { order, stop, keep_alive };
 
-    [[nodiscard]] std::span<place> places() noexcept { return std::span{places_}.first(place_count_); }
-    [[nodiscard]] std::span<const place> places() const noexcept { return std::span{places_}.first(place_count_); }
+    [[nodiscard]] std::span<place> places() noexcept { return memory_.first(place_count_); }
+    [[nodiscard]] std::span<const place> places() const noexcept { return memory_.first(place_count_); }
     [[nodiscard]] bool cycles() const noexcept { return exchanged_ != 0; }
     [[nodiscard]] duration interval() const noexcept {
         return has_process_data_ ? options_.period : options_.check_interval;
@@ -215,8 +242,6 @@ class ring {
     // A slave that was not reached when all were cleared may still run with the place in the process image that an
     // earlier life of this program gave it: each life has an image elsewhere, in one of 2^16 windows.
     void begin(time_point now) {
-        constexpr unsigned window_bits = 16; // holds every image
-        static_assert(image_capacity <= 1U << window_bits);
         const auto start = static_cast<std::uint64_t>(now.time_since_epoch() / std::chrono::microseconds{1});
         const auto window = start * 0x9E37'79B9'7F4A'7C15U >> (32 + window_bits); // spreads starts that are close
         logical_base_ = static_cast<std::uint32_t>(window << window_bits);
@@ -240,7 +265,7 @@ class ring {
         const std::size_t turns = place_count_ + 1;
         for (std::size_t i = 0; i != turns; ++i) {
             const auto turn = (last_served_ + 1 + i) % turns;
-            if (turn == place_count_ ? !begin_shared() : !begin_other(places_[turn], now, out)) continue;
+            if (turn == place_count_ ? !begin_shared() : !begin_other(memory_[turn], now, out)) continue;
             last_served_ = turn;
             return true;
         }
@@ -564,13 +589,12 @@ class ring {
     }
     // Rebuilds the process image from the present slaves; keeps their outputs.
     void rebuild_process_data(time_point now) {
-        std::array<ethercat::slave_record, slave_capacity> records{};
         std::size_t count = 0;
         for (place& each : places()) {
             const auto* const record = master_.find(each.front->station());
-            if (is_exchanged(each) && record != nullptr) records[count++] = *record;
+            if (is_exchanged(each) && record != nullptr) records_[count++] = *record;
         }
-        data_.set_slaves(std::span{records}.first(count), {.watch_slaves = true, .logical_base = logical_base_});
+        data_.set_slaves(records_.first(count), {.watch_slaves = true, .logical_base = logical_base_});
         has_process_data_ = data_.image().size != 0;
         if (exchanged_ == 0 || next_cycle_ > saturating_add(now, interval())) next_cycle_ = now;
         exchanged_ = count;
@@ -746,9 +770,10 @@ class ring {
     }
 
     const bridge_options& options_;
-    ethercat::master_for<slave_capacity> master_{};
-    ethercat::process_data_for<slave_capacity, image_capacity> data_{};
-    std::array<place, slave_capacity> places_{};
+    ethercat::master master_;
+    ethercat::process_data data_;
+    std::span<place> memory_;
+    std::span<ethercat::slave_record> records_;
     std::size_t place_count_{};
     std::size_t last_served_{};
     std::size_t exchanged_{}; // slaves in the cyclic exchange
@@ -772,6 +797,13 @@ class ring {
     std::array<std::byte, message_size> message_{};
     std::array<std::byte, std::max(any_exchange::buffer_size, message_size)> packet_{};
     std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation_{};
+};
+
+/// A ring with its memory: `ring_for<16, 4096> ring{options}`.
+template <std::size_t Slaves, std::size_t Bytes> class ring_for : private ring_memory_for<Slaves, Bytes>, public ring {
+  public:
+    explicit ring_for(const bridge_options& options) noexcept
+        : ring{options, ring_memory_for<Slaves, Bytes>::spans()} {}
 };
 
 } // namespace jauscat::bridging

@@ -81,6 +81,8 @@ struct bus_slave {
 class bus_state : public std::enable_shared_from_this<bus_state> {
   public:
     static constexpr std::size_t max_object_size = 65536;
+    static constexpr std::size_t max_slaves = 256;
+    static constexpr std::size_t max_process_data = 32768;
 
     bus_state(boost::asio::io_context& context, std::string_view where, bus_options options);
     ~bus_state();
@@ -187,7 +189,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     bus_options options_;
     std::unique_ptr<net::any_link> link_;
     bridging::bridge_options timing_{};
-    std::unique_ptr<bridging::ring> ring_{};
+    std::unique_ptr<bridging::ring_for<max_slaves, max_process_data>> ring_{};
     ring_output output_{*this};
     std::vector<bus_user*> users_{};
     std::vector<std::uint16_t> stations_{}; ///< of slaves of bridges

@@ -196,7 +196,7 @@ class start_job final : public bus_job {
         const std::size_t counted = is_serving_ ? master.result<ethercat::exchange_datagram>().value_or(0)
                                                 : master.result<ethercat::scan>().value_or(0);
         if (counted == 0) return fail(bus_errc::no_slaves);
-        if (counted > bridging::slave_capacity) return fail(bus_errc::too_many_slaves);
+        if (counted > bus_state::max_slaves) return fail(bus_errc::too_many_slaves);
         count_ = counted;
     }
     [[nodiscard]] bool is_over() const override { return done_->is_done(); }
@@ -472,7 +472,7 @@ template <class F, class... Arguments> void bus_state::call_later(F bus_state::*
 
 JAUSCAT_DECL void bus_state::open() {
     if (ring_) return;
-    ring_ = std::make_unique<bridging::ring>(timing_);
+    ring_ = std::make_unique<bridging::ring_for<max_slaves, max_process_data>>(timing_);
     ring_->share({.begin = jaus::bound<&bus_state::begin_job>(*this), .done = jaus::bound<&bus_state::end_job>(*this)});
     if (options_.thread) {
         try {
@@ -768,9 +768,12 @@ JAUSCAT_DECL void bus_state::apply_timings() noexcept {
 
 JAUSCAT_DECL std::uint16_t bus_state::reserve_station(std::uint16_t node) {
     const auto is_free = [&](std::uint16_t station) { return std::ranges::count(stations_, station) == 0; };
+    constexpr std::uint16_t last_node = 254;
     auto station = node;
-    if (!is_free(station)) station = 254;
-    while (!is_free(station)) --station; // a bus has 16 slaves
+    if (!is_free(station)) station = last_node;
+    while (station != 0 && !is_free(station)) --station;
+    if (station == 0) station = last_node + 2; // is no JAUS node: for process data
+    while (!is_free(station)) ++station;
     stations_.push_back(station);
     return station;
 }
@@ -781,7 +784,7 @@ JAUSCAT_DECL std::string bus_state::join(bus_user& user) {
     const auto position = front.options().position;
     if (user_at(position) != nullptr) return "another bridge serves it";
     open();
-    if (!ring_->add(front)) return "the bus has 16 slaves already";
+    if (!ring_->add(front)) return "the bus has " + std::to_string(max_slaves) + " slaves already";
     users_.push_back(&user);
     auto* slave = at(position);
     if (slave == nullptr) {
