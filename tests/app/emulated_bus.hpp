@@ -46,6 +46,7 @@ struct emulated_slave {
     ethercat::standard_objects described{description, other};
     std::array<std::byte, 2048> segments{};
     ethercat::slave device;
+    std::function<void(ethercat::slave&)> application{};
     bool works{true};                   ///< else its application hangs: the controller alone works
     std::optional<std::uint8_t> mail{}; ///< an emergency of this error register waits
 };
@@ -119,6 +120,7 @@ class emulated_bus {
             auto& each = slaves_[i];
             each.device.pass(frame);
             if (each.works) each.device.work();
+            if (each.works && each.application) each.application(each.device);
             if (each.mail) put_mail(each, frame);
         }
         if (is_garbage)

@@ -106,6 +106,8 @@ a_bridge_carries() { # bridge
     expect 1 "no frame returns" "$bin/objects" udp:127.0.0.1
     expect 2 "objects INTERFACE" "$bin/objects"
     expect 1 "nix0" "$bin/objects" nix0
+    expect 2 "two_drives INTERFACE" "$bin/two_drives"
+    expect 1 "nix0" "$bin/two_drives" nix0
 }
 a_component_of_parts_answers() { # jaus_node
     is_a_component "" "$bin/jaus_node" "$bin/JausConfig.xml" b

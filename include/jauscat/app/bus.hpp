@@ -73,7 +73,12 @@ class bus {
     /// As at its end: nothing is sent until an operation is started.
     JAUSCAT_DECL void stop();
 
-    /// Called when a slave is lost: it does not answer.
+    /// Called in each cycle, when the process data of slaves in operation have returned or are lost: reads inputs and
+    /// writes outputs (`slave::inputs`, `slave::outputs`). In the thread of the bus if it has one, which it must not
+    /// delay; else by the io_context. It must not end the bus. If it throws, all slaves in operation are brought to
+    /// rest.
+    JAUSCAT_DECL void every_cycle(std::function<void()> f);
+    /// Called when a slave is lost: it does not answer, or has ended its operation.
     JAUSCAT_DECL void when_lost(std::function<void(const slave_info& slave, boost::system::error_code why)> f);
     /// Called when a lost slave answers again.
     JAUSCAT_DECL void when_found(std::function<void(const slave_info& slave)> f);

@@ -36,8 +36,8 @@ enum class bus_errc : std::uint8_t {
     too_large,         ///< the object is larger than 65,536 bytes
     state_not_reached, ///< the slave has not reached the state in time
     not_configurable,  ///< the slave's process data or its SII cannot be used
-    needs_cycles,      ///< OP needs the cyclic exchange, which a bridge has
-    served,            ///< a bridge serves the slave: its states are the bridge's
+    needs_cycles,      ///< OP needs the cyclic exchange, which async_operate and bridges have
+    served,            ///< a bridge serves the slave, or it is in operation
     timed_out,         ///< not done within the time that it may take
     stopped,           ///< it has kept a slave from stopping, and was cancelled: repeat it
 };
@@ -64,8 +64,8 @@ enum class bus_errc : std::uint8_t {
     case bus_errc::too_large: return "the object has more than 65536 bytes";
     case bus_errc::state_not_reached: return "the slave has not reached the state in time";
     case bus_errc::not_configurable: return "the slave's process data or its SII cannot be used";
-    case bus_errc::needs_cycles: return "OP needs the cyclic exchange of a bridge";
-    case bus_errc::served: return "a bridge serves the slave and controls its states";
+    case bus_errc::needs_cycles: return "OP needs the cyclic exchange: use async_operate";
+    case bus_errc::served: return "the slave is in operation, or a bridge serves it and controls its states";
     case bus_errc::timed_out: return "not done in time";
     case bus_errc::stopped: return "cancelled in favour of a stop order: repeat it";
     }

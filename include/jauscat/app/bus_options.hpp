@@ -58,6 +58,17 @@ struct bus_options {
     std::function<void(const passing_frame& frame)> on_frame{};
 };
 
+/// Process data of a slave that the application exchanges itself. 0 stands for the default.
+struct operate_options {
+    /// Of the cycles, more than 0. The process data of a bus have the shortest period of all its users.
+    duration period{std::chrono::milliseconds{1}};
+    /// A slave without outputs for so long leaves OP by itself: 2 periods to 6.5 s. Default: 100 ms or 4 periods.
+    duration watchdog{};
+    /// A slave that has not exchanged process data in OP for so long is lost: 2 periods or more. Default: 50 ms or 2
+    /// periods.
+    duration timeout{};
+};
+
 /// Identity of a slave, object 1018h; what is not given is not compared.
 struct required_identity {
     std::optional<std::uint32_t> vendor{};
@@ -111,7 +122,7 @@ struct slave_info {
     std::uint32_t revision{};
     std::uint32_t serial{};
     bool has_objects{}; ///< it has a CoE mailbox
-    bool is_served{};   ///< by a bridge
+    bool is_served{};   ///< by a bridge, or in OP by `async_operate`
     bool is_lost{};     ///< it does not answer
 };
 

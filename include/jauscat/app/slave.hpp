@@ -114,7 +114,8 @@ class slave {
             token, *this);
     }
     /// Takes the slave to INIT, PRE-OP or SAFE-OP, step by step; on the way to SAFE-OP its process data are configured.
-    /// An error of the slave is acknowledged. OP is a bridge's (needs_cycles). Errors: slave_lost, served,
+    /// An error of the slave is acknowledged. To OP: `async_operate` (needs_cycles). A slave in operation is brought to
+    /// rest first, by outputs of zeros. Errors: slave_lost, served,
     /// state_not_reached, not_configurable, AL status codes. `void(error_code)`.
     template <class Token = default_token> auto async_change(ethercat::al_state goal, Token&& token = Token{}) const {
         return boost::asio::async_initiate<Token, void(app::error_code)>(
@@ -123,6 +124,28 @@ class slave {
             },
             token, *this, goal);
     }
+
+    /// Takes the slave to OP, and exchanges its process data in each cycle from then on: from outputs of zeros, with
+    /// its watchdog. What they consist of is written before, in PRE-OP, or the slave's default. In OP until
+    /// `async_change` or the end of the bus, which first set all outputs to zero, or until it is lost: it has left OP,
+    /// has not exchanged its process data for the options' timeout, or was reset. Then `bus::when_lost` gets the
+    /// reason, and `bus::when_found` tells that it answers again; it is not taken to OP by itself, because a device
+    /// that was exchanged or reset may have other process data. Throws `std::invalid_argument` for options out of
+    /// range. Errors: slave_lost, served, state_not_reached, not_configurable, AL status codes. `void(error_code)`.
+    template <class Token = default_token>
+    auto async_operate(const operate_options& options = {}, Token&& token = Token{}) const {
+        return boost::asio::async_initiate<Token, void(app::error_code)>(
+            [](auto handler, const slave& self, const operate_options& how) {
+                self.operate(how, app::make_operation<>(std::move(handler), app::no_conversion{}, self.context()));
+            },
+            token, *this, options);
+    }
+    /// Whether the slave is in OP by `async_operate` and exchanges its process data.
+    [[nodiscard]] JAUSCAT_DECL bool is_operating() const;
+    /// The outputs that the next cycle sends, and the inputs of the last one; empty where the slave is not operating.
+    /// For use until the return from the callback or handler; with a thread of the bus in `bus::every_cycle` only.
+    [[nodiscard]] JAUSCAT_DECL std::span<std::byte> outputs() const;
+    [[nodiscard]] JAUSCAT_DECL std::span<const std::byte> inputs() const;
 
     /// What the bus knows of the slave, which it has found. Errors: not_started, no_such_slave, ambiguous.
     [[nodiscard]] JAUSCAT_DECL slave_info info(boost::system::error_code& error) const;
@@ -146,6 +169,7 @@ class slave {
                                      app::operation_ptr<entry_information> done) const;
     JAUSCAT_DECL void state(app::operation_ptr<ethercat::al_status> done) const;
     JAUSCAT_DECL void change(ethercat::al_state goal, app::operation_ptr<> done) const;
+    JAUSCAT_DECL void operate(const operate_options& options, app::operation_ptr<> done) const;
 
     std::shared_ptr<app::bus_state> bus_;
     slave_choice which_;

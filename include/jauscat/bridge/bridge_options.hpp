@@ -19,6 +19,8 @@ struct slave_options {
     bool cyclic{};                       ///< runs in OP: what fits its process data goes by them
     ethercat::identity_check expected{}; ///< another slave is not brought up
     std::uint8_t node{};                 ///< JAUS node of its components; 0: the station address
+    /// Cyclic, and in PRE-OP already, by another job of the master: it is not brought up, also not after a loss.
+    bool is_taken_over{};
 };
 
 /// The times of a bridge. `at_rest_within` derives them from the one that counts.

@@ -24,6 +24,8 @@ struct shared_jobs {
     jaus::hook<bool(ethercat::master& idle)> begin{};
     /// That job has ended. Its result is the master's until this has returned.
     jaus::hook<void(ethercat::master& idle)> done{};
+    /// Each cycle of the process data, after the steps of process parts: for slaves without components.
+    jaus::hook<void()> cycle{};
 };
 
 /// A slave of a ring; the ring's own.
@@ -95,6 +97,7 @@ class ring {
     [[nodiscard]] bool add(slave_front& front) noexcept {
         if (place_count_ == memory_.size()) return false;
         memory_[place_count_] = {};
+        memory_[place_count_].at = front.options().is_taken_over ? phase::pre_op : phase::absent;
         memory_[place_count_++].front = &front;
         return true;
     }
@@ -298,7 +301,7 @@ class ring {
 
     bool begin_other(place& at, time_point now, jaus::message_sink out) {
         switch (at.at) {
-        case phase::absent: return now >= at.next_try && begin_bring_up(at);
+        case phase::absent: return now >= at.next_try && !at.front->options().is_taken_over && begin_bring_up(at);
         case phase::pre_op:
             return begin_job(at, work::configure,
                              ethercat::configure{at.front->station(), at.front->timing().watchdog});
@@ -541,7 +544,7 @@ class ring {
     }
     [[nodiscard]] std::optional<time_point> next_work_of(const place& at) const {
         switch (at.at) {
-        case phase::absent: return at.next_try;
+        case phase::absent: return at.front->options().is_taken_over ? std::nullopt : std::optional{at.next_try};
         case phase::pre_op:
         case phase::configured:
         case phase::safe_op: return time_point::min();
@@ -689,6 +692,7 @@ class ring {
                 if (process->is_started()) put_orders(*unit, *process, now, out);
             }
         }
+        if (steps) shared_.cycle();
     }
     // Also where the slave gets an emergency by mailbox, and where others of the group are lost.
     void put_stop(component& unit, process_channel& process, time_point now, jaus::message_sink out) {

@@ -128,6 +128,7 @@ class served_slave final : public bus_user {
     JAUSCAT_DECL void send(bytes message) override;
     JAUSCAT_DECL void bus_ends() noexcept override;
     [[nodiscard]] bridging::slave_front& front() noexcept override { return *front_; }
+    [[nodiscard]] const bridging::slave_front& front() const noexcept override { return *front_; }
     [[nodiscard]] JAUSCAT_DECL std::uint8_t node() const noexcept override;
 
   private:

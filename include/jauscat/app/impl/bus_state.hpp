@@ -47,7 +47,7 @@ class bus_job {
     time_point due{time_point::max()}; ///< since it has begun
 };
 
-/// A bridge: it serves a slave of the bus.
+/// A bridge that serves a slave of the bus, or an operation of the slave.
 class bus_user {
   public:
     bus_user() = default;
@@ -56,12 +56,17 @@ class bus_user {
     bus_user& operator=(const bus_user&) = delete;
 
     [[nodiscard]] virtual bridging::slave_front& front() noexcept = 0;
+    [[nodiscard]] virtual const bridging::slave_front& front() const noexcept = 0;
     /// A message of one of its components.
     virtual void send(std::span<const std::byte> message) = 0;
     /// The bus does not serve the slave any more.
     virtual void bus_ends() noexcept = 0;
     /// Of its components.
     [[nodiscard]] virtual std::uint8_t node() const noexcept = 0;
+    /// Brings to rest what it moves.
+    virtual void begin_rest(time_point now, jaus::message_sink out);
+    /// Rest is to be waited for. A slave that does not answer is not.
+    [[nodiscard]] virtual bool awaits_rest() const;
 
     bool was_up{}; ///< the slave answered when the bus was stopped
 };
@@ -74,6 +79,64 @@ struct bus_slave {
     bool is_configured{}; ///< its process data, since it was brought up
     error_code why{};     ///< it is lost
     time_point next_look{};
+};
+
+/// A slave in OP whose process data the application exchanges.
+class operated_slave final : public bus_user {
+  public:
+    operated_slave(bus_state& on, const bus_slave& which, const operate_options& options, operation_ptr<> done);
+    ~operated_slave() override;
+
+    /// For the application; empty once it is brought to rest.
+    [[nodiscard]] std::optional<bridging::slave_data> data() const;
+    /// Brings it to rest; then it is to be taken to `goal`, and `done` is to be told.
+    void end(ethercat::al_state goal, operation_ptr<> done);
+    /// The operation that waits for OP, or for the end.
+    [[nodiscard]] const operation_ptr<>& done() const noexcept { return done_; }
+    [[nodiscard]] ethercat::al_state goal() const noexcept { return goal_; }
+    [[nodiscard]] std::uint16_t position() const noexcept { return front_.options().position; }
+
+    enum class progress : std::uint8_t {
+        goes_on,
+        lost,
+        failed, ///< it did not come to OP in time, or nobody waits for it any more
+        rests,  ///< the outputs of zeros have arrived, or do not in time
+    };
+    [[nodiscard]] progress look(time_point now);
+
+    JAUSCAT_DECL void send(std::span<const std::byte>) override {}
+    JAUSCAT_DECL void bus_ends() noexcept override;
+    JAUSCAT_DECL void begin_rest(time_point now, jaus::message_sink out) override;
+    [[nodiscard]] JAUSCAT_DECL bool awaits_rest() const override;
+    [[nodiscard]] bridging::slave_front& front() noexcept override { return front_; }
+    [[nodiscard]] const bridging::slave_front& front() const noexcept override { return front_; }
+    [[nodiscard]] JAUSCAT_DECL std::uint8_t node() const noexcept override { return 0; }
+
+  private:
+    /// It has no JAUS messages.
+    struct no_exchange final : bridging::any_exchange {
+        bridging::exchange_step begin(std::span<const std::byte>, std::span<std::byte>) override { return {}; }
+        bridging::exchange_step on_confirmation(std::span<const std::byte>, std::span<std::byte>) override {
+            return {};
+        }
+        [[nodiscard]] hilscher::packet_status status() const override { return {}; }
+        [[nodiscard]] translate::errc error() const override { return {}; }
+    };
+    void slave_up(const bridging::slave_front&, const ethercat::slave_record&, bool ready);
+    void slave_lost(const bridging::slave_front&, bridging::loss what, const ethercat::master_error& why);
+    void slave_emergency(const bridging::slave_front&, const ethercat::coe_emergency& emergency);
+    void rest();
+
+    bus_state& bus_;
+    operation_ptr<> done_;
+    time_point due_;
+    bridging::bridge_options timing_;
+    no_exchange exchange_{};
+    bridging::order_memory<1, 1> memory_{};
+    bridging::slave_front front_;
+    ethercat::al_state goal_{ethercat::al_state::op};
+    std::optional<time_point> resting_since_{};
+    bool is_lost_{};
 };
 
 /// One link. What it calls of the application runs later, from the io_context. All functions may be called on the
@@ -99,6 +162,9 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
                         operation_ptr<entry_information> done);
     void state(const slave_choice& which, operation_ptr<ethercat::al_status> done);
     void change(const slave_choice& which, ethercat::al_state goal, operation_ptr<> done);
+    void operate(const slave_choice& which, const operate_options& options, operation_ptr<> done);
+    /// Process data of a slave in operation.
+    [[nodiscard]] std::optional<bridging::slave_data> data_of(const slave_choice& which);
     void cancel();
     void stop() noexcept;
     /// The handle has gone: nothing is started any more.
@@ -133,6 +199,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     void log(std::string_view line) const;
     void show_frame(std::span<const std::byte> frame, bool is_sent) const;
 
+    std::function<void()> on_cycle{};
     std::function<void(const slave_info&, error_code)> on_lost{};
     std::function<void(const slave_info&)> on_found{};
     std::function<void(const slave_info&, const ethercat::al_status&)> on_changed{};
@@ -154,6 +221,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     /// Of an operation of this slave.
     void note_outcome(bus_slave& slave, error_code error);
     void note_emergencies(bus_slave& slave, ethercat::master& master);
+    void note_emergency(const bus_slave& slave, const ethercat::coe_emergency& emergency);
     [[nodiscard]] bus_slave* at(std::uint16_t position);
     void set_started() noexcept { is_started_ = true; }
 
@@ -167,6 +235,15 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     template <class... Results, class Make, class Take>
     void ask(const slave_choice& which, operation_ptr<Results...> done, Make make, Take take);
     void add(std::unique_ptr<bus_job> job, duration limit);
+    struct taking_over;
+    void take_over(std::uint16_t position, const operate_options& options, const operation_ptr<>& done);
+    void run_cycle();
+    void queue_change(std::uint16_t position, ethercat::al_state goal, operation_ptr<> done);
+    /// Ends operations that are over.
+    void look_at_operated(time_point now);
+    void end_operations() noexcept;
+    /// Drives the ring until `is_done()` holds, at most for `limit`.
+    void drive(const std::function<bool()>& is_done, duration limit);
     void open();
     void apply_timings() noexcept;
     void send(std::span<const std::byte> message);
@@ -192,6 +269,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     std::unique_ptr<bridging::ring_for<max_slaves, max_process_data>> ring_{};
     ring_output output_{*this};
     std::vector<bus_user*> users_{};
+    std::vector<std::unique_ptr<operated_slave>> operated_{};
     std::vector<std::uint16_t> stations_{}; ///< of slaves of bridges
     std::vector<const bridging::bridge_options*> timings_{};
     std::optional<net::detail::wake_timer> timer_{};

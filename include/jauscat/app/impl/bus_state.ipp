@@ -10,6 +10,7 @@
 #include <array>
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -418,6 +419,11 @@ class shown_link final : public net::any_link {
     const bus_state& to_;
 };
 
+/// An operation whose outcome nobody waits for.
+struct unheard final : operation<> {
+    void deliver(error_code) override {}
+};
+
 inline bridging::bridge_options timing_of(const bus_options& options) {
     bridging::bridge_options timing{};
     timing.master = {.frame_timeout = options.frame_timeout,
@@ -473,7 +479,9 @@ template <class F, class... Arguments> void bus_state::call_later(F bus_state::*
 JAUSCAT_DECL void bus_state::open() {
     if (ring_) return;
     ring_ = std::make_unique<bridging::ring_for<max_slaves, max_process_data>>(timing_);
-    ring_->share({.begin = jaus::bound<&bus_state::begin_job>(*this), .done = jaus::bound<&bus_state::end_job>(*this)});
+    ring_->share({.begin = jaus::bound<&bus_state::begin_job>(*this),
+                  .done = jaus::bound<&bus_state::end_job>(*this),
+                  .cycle = jaus::bound<&bus_state::run_cycle>(*this)});
     if (options_.thread) {
         try {
             thread_ = std::make_unique<ring_thread>(*link_, *ring_, output_, mutex_, [this] {
@@ -561,6 +569,7 @@ JAUSCAT_DECL time_point bus_state::look_at_time() {
         if (!ring_->cancel_shared()) current_.reset();
         wake(); // it ends, or the next one begins
     }
+    look_at_operated(now);
     if (current_) next = current_->due;
     if (options_.check_interval > duration{} && is_started_ && !current_)
         for (const auto& each : slaves_)
@@ -621,6 +630,7 @@ JAUSCAT_DECL void bus_state::stop() noexcept {
         attempt([&] {
             if (ring_) bring_to_rest(users_);
         });
+        end_operations();
         for (auto* const user : std::exchange(users_, {})) user->bus_ends();
         current_.reset();
         is_started_ = false;
@@ -643,6 +653,7 @@ JAUSCAT_DECL void bus_state::close() noexcept {
     }
     stop();
     link_.reset();
+    on_cycle = nullptr;
     on_lost = nullptr;
     on_found = nullptr;
     on_changed = nullptr;
@@ -725,13 +736,14 @@ JAUSCAT_DECL void bus_state::note_state(bus_slave& slave, const ethercat::al_sta
 JAUSCAT_DECL void bus_state::note_emergencies(bus_slave& slave, ethercat::master& master) {
     const auto* const record = master.find(slave.info.station);
     if (record == nullptr || slave.info.is_served) return;
-    for (const auto& each : record->emergencies.kept()) {
-        log(name_of(slave.info) + " reports an emergency: " + numbered("%04Xh", each.error_code) +
-            numbered(", error register %02Xh", each.error_register));
-        call_later(&bus_state::on_emergency, slave.info, each);
-    }
+    for (const auto& each : record->emergencies.kept()) note_emergency(slave, each);
     if (record->emergencies.overflow()) log(name_of(slave.info) + " has reported more emergencies than are kept");
     master.clear_emergencies(slave.info.station);
+}
+JAUSCAT_DECL void bus_state::note_emergency(const bus_slave& slave, const ethercat::coe_emergency& emergency) {
+    log(name_of(slave.info) + " reports an emergency: " + numbered("%04Xh", emergency.error_code) +
+        numbered(", error register %02Xh", emergency.error_register));
+    call_later(&bus_state::on_emergency, slave.info, emergency);
 }
 
 // ---- Bridges.
@@ -794,7 +806,8 @@ JAUSCAT_DECL std::string bus_state::join(bus_user& user) {
         slave = at(position);
     }
     slave->info.station = front.station();
-    slave->info.is_served = slave->info.is_lost = true;
+    slave->info.is_served = true;
+    slave->info.is_lost = !front.options().is_taken_over;
     front.on_work(thread_ ? thread_->wake() : runner_->wake());
     wake();
     return {};
@@ -820,20 +833,23 @@ JAUSCAT_DECL void bus_state::send(std::span<const std::byte> message) {
         if (user->node() == node) return user->send(message);
 }
 
+JAUSCAT_DECL void bus_user::begin_rest(time_point now, jaus::message_sink out) {
+    for (auto* const unit : front().components()) unit->shut_down(now, out);
+}
+JAUSCAT_DECL bool bus_user::awaits_rest() const {
+    return front().up() &&
+           std::ranges::any_of(front().components(), [](const auto* unit) { return unit->stops().stop_is_pending(); });
+}
 JAUSCAT_DECL void bus_state::bring_to_rest(std::span<bus_user* const> users) {
     const auto locked = lock();
     constexpr duration longest = std::chrono::milliseconds{700}; // Ctrl-C ends a program within a second
-    for (auto* const user : users)
-        for (auto* const unit : user->front().components()) unit->shut_down(net::now(), output_);
-    // A slave that does not answer is not waited for.
-    const auto is_waited_for = [](bus_user* user) {
-        return user->front().up() && std::ranges::any_of(user->front().components(), [](const auto* unit) {
-                   return unit->stops().stop_is_pending();
-               });
-    };
+    for (auto* const user : users) user->begin_rest(net::now(), output_);
+    drive([&] { return std::ranges::none_of(users, &bus_user::awaits_rest); }, longest);
+}
+JAUSCAT_DECL void bus_state::drive(const std::function<bool()>& is_done, duration limit) {
     std::array<std::byte, ethercat::max_frame_size> frame{};
-    const deadline end{net::now(), longest};
-    while (std::ranges::any_of(users, is_waited_for) && !end.is_reached(net::now())) {
+    const deadline end{net::now(), limit};
+    while (!is_done() && !end.is_reached(net::now())) {
         ring_->on_time(net::now(), output_);
         while (const auto size = ring_->next_frame(frame, net::now())) {
             if (link_->send(std::span{frame}.first(size))) continue;
@@ -859,6 +875,200 @@ JAUSCAT_DECL void bus_state::note_served_lost(bus_user& user, error_code why) {
     if (slave == nullptr) return;
     slave->info.is_lost = true;
     slave->why = why;
+}
+
+// ---- Slaves in operation.
+
+inline bridging::bridge_options timing_of(const operate_options& options) {
+    using std::chrono::milliseconds;
+    const auto period = options.period;
+    const auto watchdog =
+        options.watchdog == duration{} ? std::max<duration>(milliseconds{100}, 4 * period) : options.watchdog;
+    const auto timeout =
+        options.timeout == duration{} ? std::max<duration>(milliseconds{50}, 2 * period) : options.timeout;
+    if (period <= duration{}) throw std::invalid_argument{"async_operate: the period is more than 0"};
+    if (watchdog < 2 * period || watchdog > milliseconds{6500})
+        throw std::invalid_argument{"async_operate: the watchdog is 2 periods to 6.5 s"};
+    if (timeout < 2 * period) throw std::invalid_argument{"async_operate: the timeout is at least 2 periods"};
+    return {.period = period, .watchdog = watchdog, .longest_silence = timeout, .check_interval = period};
+}
+
+JAUSCAT_DECL operated_slave::operated_slave(bus_state& on, const bus_slave& which, const operate_options& options,
+                                            operation_ptr<> done)
+    : bus_{on},
+      done_{std::move(done)},
+      due_{deadline{net::now(), on.options().timeout}.at()},
+      timing_{timing_of(options)},
+      front_{{.position = which.info.position,
+              .identity = {.station = which.info.station},
+              .cyclic = true,
+              .is_taken_over = true},
+             exchange_,
+             timing_,
+             memory_,
+             {.slave_up = jaus::bound<&operated_slave::slave_up>(*this),
+              .slave_lost = jaus::bound<&operated_slave::slave_lost>(*this),
+              .slave_emergency = jaus::bound<&operated_slave::slave_emergency>(*this)}} {
+    bus_.add_timing(timing_);
+}
+JAUSCAT_DECL operated_slave::~operated_slave() { bus_.release_timing(timing_); }
+
+JAUSCAT_DECL std::optional<bridging::slave_data> operated_slave::data() const {
+    if (!front_.up() || resting_since_) return std::nullopt;
+    return front_.data();
+}
+JAUSCAT_DECL void operated_slave::end(ethercat::al_state goal, operation_ptr<> done) {
+    const auto replaced = std::exchange(done_, std::move(done));
+    if (replaced) replaced->complete(boost::asio::error::operation_aborted);
+    goal_ = goal;
+    rest();
+}
+JAUSCAT_DECL operated_slave::progress operated_slave::look(time_point now) {
+    if (is_lost_) return progress::lost;
+    if (resting_since_) return awaits_rest() && now < due_ ? progress::goes_on : progress::rests;
+    if (front_.up() || (!done_->is_done() && now < due_)) return progress::goes_on;
+    done_->complete(bus_errc::timed_out);
+    return progress::failed;
+}
+JAUSCAT_DECL void operated_slave::bus_ends() noexcept {
+    try {
+        if (done_) done_->complete(boost::asio::error::operation_aborted);
+    } catch (...) { // no memory to tell of it
+    }
+}
+JAUSCAT_DECL void operated_slave::begin_rest(time_point, jaus::message_sink) { rest(); }
+JAUSCAT_DECL void operated_slave::rest() {
+    if (resting_since_) return;
+    std::ranges::fill(front_.data().outputs, std::byte{});
+    resting_since_ = net::now();
+    due_ = deadline{*resting_since_, timing_.longest_silence}.at();
+}
+JAUSCAT_DECL bool operated_slave::awaits_rest() const {
+    return front_.up() && front_.data().status.last_running.value_or(time_point::min()) <= resting_since_;
+}
+JAUSCAT_DECL void operated_slave::slave_up(const bridging::slave_front&, const ethercat::slave_record&, bool ready) {
+    if (!ready) return;
+    if (auto* const slave = bus_.at(position())) bus_.note_state(*slave, {.state = ethercat::al_state::op});
+    done_->complete({});
+}
+JAUSCAT_DECL void operated_slave::slave_lost(const bridging::slave_front&, bridging::loss,
+                                             const ethercat::master_error& why) {
+    is_lost_ = true;
+    auto error = error_of(why);
+    if (!error || error == bus_errc::stopped) error = bus_errc::slave_lost;
+    if (auto* const slave = bus_.at(position())) bus_.note_lost(*slave, error);
+    done_->complete(error);
+}
+JAUSCAT_DECL void operated_slave::slave_emergency(const bridging::slave_front&,
+                                                  const ethercat::coe_emergency& emergency) {
+    if (const auto* const slave = bus_.at(position())) bus_.note_emergency(*slave, emergency);
+}
+
+/// The slave is in PRE-OP, or not: it is added to the ring later, not within its turn.
+struct bus_state::taking_over final : operation<> {
+    taking_over(bus_state& bus, const slave_choice& which, const operate_options& options, operation_ptr<> done)
+        : bus_{bus.weak_from_this()}, which_{which}, options_{options}, done_{std::move(done)} {}
+
+  private:
+    void deliver(error_code error) override {
+        const auto bus = bus_.lock();
+        if (error) return done_->complete(error);
+        if (!bus) return done_->complete(boost::asio::error::operation_aborted);
+        boost::asio::post(bus->context(), [weak = bus_, which = which_, options = options_, done = done_] {
+            const auto self = weak.lock();
+            if (!self) return done->complete(boost::asio::error::operation_aborted);
+            const auto locked = self->lock();
+            error_code why;
+            const auto* const slave = self->find(which, why);
+            if (slave == nullptr || done->is_done()) return done->complete(why);
+            self->take_over(slave->info.position, options, done);
+        });
+    }
+
+    std::weak_ptr<bus_state> bus_;
+    slave_choice which_;
+    operate_options options_;
+    operation_ptr<> done_;
+};
+
+JAUSCAT_DECL void bus_state::operate(const slave_choice& which, const operate_options& options, operation_ptr<> done) {
+    static_cast<void>(timing_of(options)); // refuses what is out of range
+    add(std::make_unique<change_job>(which, ethercat::al_state::pre_op,
+                                     std::make_shared<taking_over>(*this, which, options, std::move(done))),
+        options_.timeout);
+}
+JAUSCAT_DECL void bus_state::take_over(std::uint16_t position, const operate_options& options,
+                                       const operation_ptr<>& done) {
+    if (is_closed_) return done->complete(boost::asio::error::operation_aborted);
+    if (user_at(position) != nullptr) return done->complete(bus_errc::served);
+    auto& made = operated_.emplace_back(std::make_unique<operated_slave>(*this, *at(position), options, done));
+    if (join(*made).empty()) return;
+    operated_.pop_back();
+    done->complete(bus_errc::too_many_slaves);
+}
+JAUSCAT_DECL std::optional<bridging::slave_data> bus_state::data_of(const slave_choice& which) {
+    const auto locked = lock();
+    error_code error;
+    const auto* const slave = operated_.empty() ? nullptr : find(which, error);
+    if (slave == nullptr) return std::nullopt;
+    const auto found = std::ranges::find(operated_, slave->info.position, &operated_slave::position);
+    return found == operated_.end() ? std::nullopt : (*found)->data();
+}
+JAUSCAT_DECL void bus_state::run_cycle() {
+    if (!on_cycle || operated_.empty()) return;
+    try {
+        on_cycle();
+        return;
+    } catch (const std::exception& e) {
+        log("every_cycle has thrown, all slaves in operation are brought to rest: " + std::string{e.what()});
+    } catch (...) {
+        log("every_cycle has thrown, all slaves in operation are brought to rest");
+    }
+    for (const auto& each : operated_)
+        if (each->data()) each->end(ethercat::al_state::pre_op, std::make_shared<unheard>());
+}
+JAUSCAT_DECL void bus_state::look_at_operated(time_point now) {
+    using enum operated_slave::progress;
+    for (std::size_t i = 0; i != operated_.size();) {
+        const auto how = operated_[i]->look(now);
+        if (how == goes_on) {
+            ++i;
+            continue;
+        }
+        const auto ended = std::move(operated_[i]);
+        operated_.erase(operated_.begin() + static_cast<std::ptrdiff_t>(i));
+        leave(*ended);
+        const auto goal = how == rests ? ended->goal() : ethercat::al_state::pre_op;
+        auto done = how == rests ? ended->done() : nullptr;
+        if (!done) done = std::make_shared<unheard>();
+        queue_change(ended->position(), goal, std::move(done));
+    }
+}
+JAUSCAT_DECL void bus_state::queue_change(std::uint16_t position, ethercat::al_state goal, operation_ptr<> done) {
+    auto job = std::make_unique<change_job>(slave_choice{.position = position}, goal, std::move(done));
+    job->limit = options_.timeout;
+    queue_.push_back(std::move(job));
+    wake();
+}
+/// They are at rest. Takes their slaves to PRE-OP.
+JAUSCAT_DECL void bus_state::end_operations() noexcept {
+    constexpr duration longest = std::chrono::milliseconds{200};
+    try {
+        const auto all = std::exchange(operated_, {});
+        for (const auto& each : all) {
+            const bool is_up = each->front().up();
+            leave(*each);
+            each->bus_ends();
+            if (is_up) queue_change(each->position(), ethercat::al_state::pre_op, std::make_shared<unheard>());
+        }
+        const auto is_done = [this] {
+            static_cast<void>(look_at_time());
+            return !current_ && queue_.empty();
+        };
+        if (!all.empty() && ring_) drive(is_done, longest);
+        abort_all(boost::asio::error::operation_aborted);
+    } catch (...) { // no memory for it: their watchdogs end OP
+    }
 }
 
 // ---- The operations.
@@ -928,6 +1138,18 @@ JAUSCAT_DECL void bus_state::state(const slave_choice& which, operation_ptr<ethe
         [](const ethercat::al_status& al, auto& to) { to.complete({}, al); });
 }
 JAUSCAT_DECL void bus_state::change(const slave_choice& which, ethercat::al_state goal, operation_ptr<> done) {
+    {
+        const auto locked = lock();
+        error_code error;
+        const auto* const slave = operated_.empty() ? nullptr : find(which, error);
+        const auto operated = slave == nullptr
+                                  ? operated_.end()
+                                  : std::ranges::find(operated_, slave->info.position, &operated_slave::position);
+        if (operated != operated_.end() && goal != ethercat::al_state::op) {
+            (*operated)->end(goal, std::move(done));
+            return wake();
+        }
+    }
     add(std::make_unique<change_job>(which, goal, std::move(done)), options_.timeout);
 }
 

@@ -44,6 +44,18 @@ JAUSCAT_DECL void slave::describe_entry(std::uint16_t index, std::uint8_t subind
 JAUSCAT_DECL void slave::state(app::operation_ptr<ethercat::al_status> done) const {
     bus_->state(which_, std::move(done));
 }
+JAUSCAT_DECL bool slave::is_operating() const { return bus_->data_of(which_).has_value(); }
+JAUSCAT_DECL std::span<std::byte> slave::outputs() const {
+    const auto data = bus_->data_of(which_);
+    return data ? data->outputs : std::span<std::byte>{};
+}
+JAUSCAT_DECL std::span<const std::byte> slave::inputs() const {
+    const auto data = bus_->data_of(which_);
+    return data ? data->inputs : std::span<const std::byte>{};
+}
+JAUSCAT_DECL void slave::operate(const operate_options& options, app::operation_ptr<> done) const {
+    bus_->operate(which_, options, std::move(done));
+}
 JAUSCAT_DECL void slave::change(ethercat::al_state goal, app::operation_ptr<> done) const {
     bus_->change(which_, goal, std::move(done));
 }

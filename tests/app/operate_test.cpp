@@ -1,0 +1,224 @@
+// Slaves in OP whose process data an application exchanges itself.
+#include "app/emulated_bus.hpp"
+#include "support/catch.hpp"
+#include "support/until.hpp"
+#include <jauscat/app/bus.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace jauscat;
+using namespace std::chrono_literals;
+using boost::system::error_code;
+namespace asio = boost::asio;
+
+namespace {
+
+using jauscat::test::emulated_bus;
+
+constexpr ethercat::pdo_entry told{.index = 0x7000, .subindex = 1, .bits = 16, .name = "told"};
+constexpr ethercat::pdo_entry actual{.index = 0x6000, .subindex = 1, .bits = 16, .name = "actual"};
+
+/// Two drives that repeat their outputs as inputs in OP, and a slave without process data.
+struct bench {
+    explicit bench(bool thread = false)
+        : ring{{{.product = 1, .name = "left", .outputs = {&told, 1}, .inputs = {&actual, 1}},
+                {.product = 2, .name = "right", .outputs = {&told, 1}, .inputs = {&actual, 1}},
+                {.product = 3}}} {
+        for (std::size_t i = 0; i != 2; ++i)
+            ring.with(i, [](auto& each) {
+                each.application = [](ethercat::slave& device) {
+                    device.take_outputs();
+                    std::ranges::copy(device.outputs(), device.inputs().begin());
+                };
+            });
+        bus.emplace(context, ring.where(),
+                    bus_options{.check_interval = 20ms,
+                                .frame_timeout = 5ms,
+                                .thread = thread,
+                                .log = [this](std::string_view line) { lines.emplace_back(line); }});
+        bus->when_lost([this](const slave_info& who, error_code why) { lost.emplace_back(who.position, why); });
+        bus->when_found([this](const slave_info& who) { found.push_back(who.position); });
+        REQUIRE_FALSE(outcome([&](auto done) { bus->async_start(done); }));
+    }
+    /// Starts an operation and waits for its outcome.
+    error_code outcome(auto start) {
+        std::optional<error_code> error;
+        start([&](error_code why) { error = why; });
+        REQUIRE(support::until(context, [&] { return error.has_value(); }));
+        return *error;
+    }
+    error_code operate(const slave& of,
+                       const operate_options& options = {.period = 5ms, .watchdog = 1s, .timeout = 500ms}) {
+        return outcome([&](auto done) { of.async_operate(options, done); });
+    }
+    error_code change(const slave& of, ethercat::al_state goal) {
+        return outcome([&](auto done) { of.async_change(goal, done); });
+    }
+    /// What the slave has as its outputs.
+    unsigned output(std::size_t i) {
+        unsigned value{};
+        ring.with(i, [&](auto& each) { value = std::to_integer<unsigned>(each.device.outputs()[0]); });
+        return value;
+    }
+    ethercat::al_state state(std::size_t i) {
+        ethercat::al_state now{};
+        ring.with(i, [&](auto& each) { now = each.device.state(); });
+        return now;
+    }
+    /// A bus with a thread wakes nobody here.
+    bool until(auto done) {
+        for (const auto begun = net::now(); !done(); context.restart(), context.run_for(2ms))
+            if (net::now() - begun > support::wait_limit) return false;
+        return true;
+    }
+
+    emulated_bus ring;
+    asio::io_context context{};
+    std::vector<std::string> lines{};
+    std::vector<std::pair<std::uint16_t, error_code>> lost{};
+    std::vector<std::uint16_t> found{};
+    std::optional<jauscat::bus> bus{};
+};
+
+} // namespace
+
+TEST_CASE("an application exchanges process data with a slave in OP, and ends at rest") {
+    const bool thread = GENERATE(false, true);
+    bench b{thread};
+    const auto left = b.bus->slave({.name = "left"});
+    CHECK_FALSE(left.is_operating());
+    CHECK(left.outputs().empty());
+    std::atomic<unsigned> cycles{}, seen{};
+    b.bus->every_cycle([&] {
+        if (!left.is_operating()) return;
+        ++cycles;
+        left.outputs()[0] = std::byte{42};
+        seen = std::to_integer<unsigned>(left.inputs()[0]);
+    });
+    REQUIRE_FALSE(b.operate(left));
+    CHECK(left.is_operating());
+    CHECK(left.info().is_served);
+    REQUIRE(b.until([&] { return seen == 42; }));
+    CHECK(cycles > 1);
+    CHECK(b.state(0) == ethercat::al_state::op);
+    CHECK(b.state(1) == ethercat::al_state::pre_op);
+    // Objects of the slave are still read.
+    std::optional<std::uint32_t> product;
+    left.async_read<std::uint32_t>(0x1018, 2, [&](error_code, std::uint32_t value) { product = value; });
+    REQUIRE(b.until([&] { return product.has_value(); }));
+    CHECK(*product == 1);
+
+    SECTION("by a change of its state") {
+        CHECK_FALSE(b.change(left, ethercat::al_state::pre_op));
+        CHECK_FALSE(left.is_operating());
+        REQUIRE_FALSE(b.operate(left)); // and again
+        REQUIRE(b.until([&] { return seen == 42; }));
+        CHECK_FALSE(b.change(left, ethercat::al_state::safe_op));
+        CHECK(b.output(0) == 0);
+        CHECK(b.state(0) == ethercat::al_state::safe_op);
+    }
+    SECTION("by the end of the bus") {
+        b.bus.reset();
+        CHECK(b.output(0) == 0);
+        CHECK(b.state(0) == ethercat::al_state::pre_op);
+    }
+    SECTION("by a stop of the bus") {
+        b.bus->stop();
+        CHECK(b.output(0) == 0);
+        CHECK(b.state(0) == ethercat::al_state::pre_op);
+    }
+    for (const auto& line : b.lines) UNSCOPED_INFO(line);
+    CHECK(b.lost.empty());
+}
+
+TEST_CASE("several slaves are operated in one cycle") {
+    bench b;
+    const auto left = b.bus->slave({.position = 0}), right = b.bus->slave({.position = 1});
+    b.bus->every_cycle([&] {
+        if (!left.is_operating() || !right.is_operating()) return;
+        left.outputs()[0] = std::byte{1};
+        right.outputs()[0] = std::byte(std::to_integer<unsigned>(left.inputs()[0]) + 1);
+    });
+    REQUIRE_FALSE(b.operate(left, {.period = 20ms, .watchdog = 1s, .timeout = 500ms}));
+    REQUIRE_FALSE(b.operate(right));
+    REQUIRE(b.until([&] { return b.output(1) == 2; }));
+    CHECK(b.outcome([&](auto done) { left.async_operate({}, done); }) == bus_errc::served);
+    CHECK_FALSE(b.change(left, ethercat::al_state::pre_op));
+    CHECK(b.output(0) == 0);
+    CHECK(right.is_operating());
+    CHECK(b.output(1) != 0);
+}
+
+TEST_CASE("a slave that leaves its operation is reported, and comes to OP only if it is told") {
+    const bool thread = GENERATE(false, true);
+    bench b{thread};
+    const auto left = b.bus->slave({.position = 0}), right = b.bus->slave({.position = 1});
+    b.bus->every_cycle([&] {
+        for (const auto& each : {left, right})
+            if (each.is_operating()) each.outputs()[0] = std::byte{7};
+    });
+    REQUIRE_FALSE(b.operate(left));
+    REQUIRE_FALSE(b.operate(right));
+    REQUIRE(b.until([&] { return b.output(0) == 7 && b.output(1) == 7; }));
+    SECTION("it is reset") {
+        b.ring.with(0, [](auto& each) { each.device.power_on(); });
+        REQUIRE(b.until([&] { return b.lost.size() == 1; }));
+        CHECK(b.lost[0] == std::pair{std::uint16_t{0}, error_code{bus_errc::slave_lost}});
+        CHECK(right.is_operating());
+    }
+    SECTION("no frame returns") {
+        const auto begun = net::now();
+        b.ring.is_silent = true;
+        REQUIRE(b.until([&] { return b.lost.size() == 3; }));
+        CHECK(net::now() - begun < 2s);
+        CHECK_FALSE(right.is_operating());
+        b.ring.is_silent = false;
+    }
+    CHECK_FALSE(left.is_operating());
+    CHECK(left.outputs().empty());
+    REQUIRE(b.until([&] { return b.found.size() == b.lost.size(); }));
+    CHECK_FALSE(left.is_operating());
+    REQUIRE(b.until([&] { return b.state(0) != ethercat::al_state::op; }));
+    REQUIRE_FALSE(b.operate(left));
+    REQUIRE(b.until([&] { return b.output(0) == 7; }));
+}
+
+TEST_CASE("a callback that throws brings all slaves in operation to rest") {
+    bench b;
+    const auto left = b.bus->slave({.position = 0});
+    bool throws = false;
+    b.bus->every_cycle([&] {
+        if (throws) throw std::runtime_error{"no value"};
+        if (left.is_operating()) left.outputs()[0] = std::byte{7};
+    });
+    REQUIRE_FALSE(b.operate(left));
+    REQUIRE(b.until([&] { return b.output(0) == 7; }));
+    throws = true;
+    REQUIRE(b.until([&] { return b.state(0) == ethercat::al_state::pre_op; }));
+    CHECK(b.output(0) == 0);
+    CHECK(std::ranges::any_of(b.lines, [](const auto& line) { return line.find("no value") != line.npos; }));
+}
+
+TEST_CASE("an operation that cannot be is refused") {
+    bench b;
+    const auto left = b.bus->slave({.position = 0});
+    const auto ignore = [](error_code) {};
+    CHECK_THROWS_AS(left.async_operate({.period = 0ms}, ignore), std::invalid_argument);
+    CHECK_THROWS_AS(left.async_operate({.period = 5ms, .watchdog = 9ms}, ignore), std::invalid_argument);
+    CHECK_THROWS_AS(left.async_operate({.period = 5ms, .watchdog = 7s}, ignore), std::invalid_argument);
+    CHECK_THROWS_AS(left.async_operate({.period = 5ms, .timeout = 9ms}, ignore), std::invalid_argument);
+    CHECK(b.operate(b.bus->slave({.position = 5})) == bus_errc::no_such_slave);
+    CHECK(b.change(left, ethercat::al_state::op) == bus_errc::needs_cycles);
+    // Aborted before it is in OP.
+    std::optional<error_code> error;
+    left.async_operate({.period = 5ms}, [&](error_code why) { error = why; });
+    b.bus->stop();
+    REQUIRE(b.until([&] { return error.has_value(); }));
+    CHECK(*error == boost::asio::error::operation_aborted);
+}
