@@ -173,6 +173,12 @@ TEST_CASE("a torque is limited, follows its slope, and does not push out of the 
     r.drive.feedback.position = 100;
     r.cycle(60);
     CHECK(r.mine.targets().torque == 0);
+    r.drive.feedback.position = 0;
+    r.cycle(60);
+    CHECK(r.mine.targets().torque == 500);
+    r.drive.feedback.velocity = 1'000'000; // max_velocity
+    r.cycle(60);
+    CHECK(r.mine.targets().torque == 0);
 }
 
 TEST_CASE("disable brings the axis to rest by ramp before it takes the torque away") {
@@ -219,6 +225,16 @@ TEST_CASE("quick stop goes out in the same cycle") {
     r.cycle(8);
     CHECK(r.mine.state() == axis_state::enabled);
     CHECK(r.mine.targets().velocity == 0); // the old target is gone
+}
+
+TEST_CASE("a drive that does not obey the quick stop fails the axis") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    r.drive.stuck = true;
+    r.mine.quick_stop();
+    r.cycle(2010);
+    CHECK(r.mine.error() == axis_error{axis_errc::step_timeout, state::operation_enabled});
+    CHECK(r.mine.targets().controlword == 0x02);
 }
 
 TEST_CASE("halt brings the axis to rest and keeps it enabled") {

@@ -290,7 +290,9 @@ class axis {
         switch (goal_) {
         case goal::on: return control_towards_on(is_late);
         case goal::off: return control_towards_off(now, is_late);
-        case goal::quick_stop: break;
+        case goal::quick_stop:
+            if (is_late && seen_ == ds::operation_enabled) fail(axis_errc::step_timeout);
+            break;
         }
         return control_of(!seen_ || *seen_ != ds::switch_on_disabled ? command::quick_stop : command::disable_voltage);
     }
@@ -462,11 +464,14 @@ class axis {
                           -stopping_velocity(at - options_.min_position, deceleration, seconds()),
                           stopping_velocity(options_.max_position - at, deceleration, seconds()));
     }
-    /// The commanded torque; none further out at a limit.
+    /// The commanded torque; none further out at a limit of the position, or faster at that of the velocity.
     [[nodiscard]] constexpr double allowed_torque() const noexcept {
-        const bool outwards = (torque_goal_ > 0 && feedback_.position >= options_.max_position) ||
-                              (torque_goal_ < 0 && feedback_.position <= options_.min_position);
-        return outwards ? 0 : torque_goal_;
+        const bool upwards = torque_goal_ > 0, downwards = torque_goal_ < 0;
+        const bool is_limited =
+            (upwards && (feedback_.position >= options_.max_position || feedback_.velocity >= options_.max_velocity)) ||
+            (downwards &&
+             (feedback_.position <= options_.min_position || feedback_.velocity <= -options_.max_velocity));
+        return is_limited ? 0 : torque_goal_;
     }
     constexpr void offer_set_point(time_point now) noexcept {
         const bool acknowledged = has_bit(status_bits::set_point_acknowledged);
