@@ -4,7 +4,7 @@
 #include <jauscat/base/time.hpp>
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/bridge/image_exchange.hpp>
-#include <jauscat/bridge/joints/joint_group.hpp>
+#include <jauscat/bridge/joints/joint_part.hpp>
 #include <jauscat/bridge/listed_objects.hpp>
 #include <jauscat/bridge/message_assembly.hpp>
 #include <jauscat/bridge/object_creation.hpp>

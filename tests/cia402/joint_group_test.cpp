@@ -1,10 +1,8 @@
 // Six joints: JAUS messages to six emulated drives on one ring, and back.
+#include "cia402/joint_arm.hpp"
 #include "support/catch.hpp"
 #include "support/simulated_link.hpp"
-#include <jauscat/bridge/joints/joint_group.hpp>
-#include <jauscat/ethercat/cia402/emulated_drive.hpp>
 #include <jauscat/ethercat/master/process_data.hpp>
-#include <jauscat/ethercat/slave/standard_objects.hpp>
 
 #include <array>
 #include <memory>
@@ -26,36 +24,13 @@ constexpr std::uint16_t set_efforts = jaus::command_code_of<jaus::set_joint_effo
 constexpr std::uint16_t report_positions = jaus::command_code_of<jaus::report_joint_positions>;
 constexpr std::uint16_t report_velocities = jaus::command_code_of<jaus::report_joint_velocities>;
 
-/// A slave that is a drive of `Axes` axes.
-template <std::size_t Axes> struct device {
-    cia402::emulated_drive<Axes> drive{};
-    ethercat::standard_objects dictionary{cia402::drive_description<Axes>, drive};
-    ethercat::slave slave{cia402::drive_description<Axes>, dictionary};
-    bool connected{true};
-};
-
-/// `Axes` axes to a drive, joint after joint.
-template <std::size_t Axes> std::array<bridging::joint_options, joints> options() {
-    cia402::pdo_layout<Axes * 8> outputs, inputs;
-    for (const auto& each : cia402::drive_outputs<Axes>)
-        REQUIRE(outputs.append({each.bits, each.subindex, each.index}));
-    for (const auto& each : cia402::drive_inputs<Axes>) REQUIRE(inputs.append({each.bits, each.subindex, each.index}));
-    std::array<bridging::joint_options, joints> made{};
-    for (std::size_t i = 0; i != joints; ++i)
-        made[i] = {.slave = i / Axes,
-                   .places = cia402::places_of(outputs, inputs, i % Axes),
-                   .axis = {.max_velocity = 200'000, .acceleration = 2'000'000, .deceleration = 2'000'000},
-                   .scale = {.increments_per_radian = 10'000, .reversed = i % 2 == 1, .max_velocity = 100'000}};
-    return made;
-}
-
 /// The drives on a ring in OP, its master, and the arm.
 template <std::size_t Axes = 1> struct arm {
-    std::array<device<Axes>, joints / Axes> devices{};
+    std::array<test::joint_device<Axes>, joints / Axes> devices{};
     test::simulated_link link{[this](std::span<std::byte> frame) { pass(frame); }};
-    ethercat::master_for<16> master{};
+    ethercat::master_for<joints> master{};
     std::optional<ethercat::process_data_for<joints, 1024>> data{};
-    bridging::joint_group<joints> group{options<Axes>()};
+    bridging::joint_group<joints> group{test::joint_arm<Axes>()};
 
     arm() {
         REQUIRE(group.is_usable());

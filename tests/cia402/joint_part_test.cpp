@@ -1,0 +1,198 @@
+// An operator's messages to a component whose actuator is six drives on one ring.
+#include "bridge/rig.hpp"
+#include "cia402/joint_arm.hpp"
+#include <jauscat/bridge/joints/joint_part.hpp>
+
+using namespace test;
+using jaus::primary_status_code;
+using jauscat::test::joint_arm;
+using jauscat::test::joint_device;
+
+namespace {
+
+constexpr std::size_t joints = 6;
+using set_velocities = jaus::basic_set_joint_velocities<joints>;
+using report_velocities = jaus::basic_report_joint_velocities<joints>;
+
+/// One component in front of six drives; time is simulated.
+class drives {
+  public:
+    static constexpr jaus::address self{.instance = 1, .component = 56, .node = 2, .subsystem = 2};
+
+    drives() {
+        std::vector<bridging::slave_front*> all;
+        for (std::uint16_t i = 0; i != joints; ++i) {
+            const bridging::slave_identity identity{.subsystem = 2, .station = static_cast<std::uint16_t>(2 + i)};
+            exchanges_.emplace_back(identity);
+            memories_.emplace_back();
+            fronts_.emplace_back(bridging::slave_options{.position = i, .identity = identity, .cyclic = true},
+                                 exchanges_.back(), options_, memories_.back(), watcher.observer());
+            REQUIRE(bus_.add(fronts_.back()));
+            all.push_back(&fronts_.back());
+        }
+        unit_.emplace(self, all, part, core_options_);
+        run_until([&] { return unit().state() == primary_status_code::ready && unit().stops().settled(); });
+    }
+    drives(const drives&) = delete;
+    drives& operator=(const drives&) = delete;
+
+    bridging::component& unit() { return *unit_; }
+    jauscat::cia402::emulated_axis& motor(std::size_t i) { return devices[i].drive.axes[0]; }
+
+    void run_until(auto&& done, std::chrono::nanoseconds limit = 20s) {
+        const auto begun = now_;
+        while (!done() && now_ - begun < limit) step(begun + limit);
+        REQUIRE(done());
+    }
+    void run(std::chrono::nanoseconds time) {
+        for (const auto end = now_ + time; now_ < end;) step(end);
+    }
+    template <class T> std::uint16_t tell(const T& body, jaus::ack_nak ack = jaus::ack_nak::request) {
+        const jaus::header head{.ack_nak = ack,
+                                .command_code = jaus::command_code_of<T>,
+                                .destination = self,
+                                .source = rig::operator_unit,
+                                .sequence_number = ++number_};
+        std::array<std::byte, 64> buffer{};
+        const auto encoded = jauscat::wire::encode(body, buffer);
+        REQUIRE(encoded);
+        static_cast<void>(unit_->on_message(
+            head, *encoded, now_, out_, [](const jaus::header&, bytes) { return jaus::message_outcome::unhandled; }));
+        bus_.on_time(now_, out_);
+        return number_;
+    }
+    std::uint16_t turn(double rate) {
+        return tell(set_velocities{.joint_velocity = {rate, rate, rate, rate, rate, rate}});
+    }
+    [[nodiscard]] std::optional<jaus::ack_nak> answer(std::uint16_t number) const {
+        for (const auto& each : messages) {
+            const auto head = jaus::split(each).header;
+            if (jaus::is_acknowledgement(head) && head.sequence_number == number) return head.ack_nak;
+        }
+        return std::nullopt;
+    }
+    void run_until_turning(double rate) {
+        run_until([&, number = turn(rate)] { return answer(number) == jaus::ack_nak::ack; });
+        run(200ms);
+    }
+    [[nodiscard]] bool all_at_rest() {
+        for (std::size_t i = 0; i != joints; ++i)
+            if (std::abs(motor(i).velocity()) > 10) return false;
+        return true;
+    }
+
+    std::array<joint_device<1>, joints> devices{};
+    bridging::joint_part<joints> part{joint_arm<1>()};
+    notes watcher{};
+    std::vector<std::vector<std::byte>> messages{};
+
+  private:
+    struct flight {
+        std::vector<std::byte> frame;
+        jauscat::time_point at;
+    };
+    struct sink {
+        drives& mine;
+        void operator()(bytes message) const { mine.messages.emplace_back(message.begin(), message.end()); }
+    };
+
+    void step(jauscat::time_point limit) {
+        std::array<std::byte, ethercat::max_frame_size> buffer{};
+        while (const auto size = bus_.next_frame(buffer, now_)) {
+            const auto frame = std::span{buffer}.first(size);
+            for (auto& each : devices)
+                if (each.connected) each.slave.process(frame);
+            flights_.push_back({{frame.begin(), frame.end()}, now_ + 100us});
+        }
+        auto next = std::min(limit, now_ + 1ms); // the drives have time of their own
+        if (const auto event = bus_.next_event()) next = std::min(next, *event);
+        if (const auto event = unit_->next_event()) next = std::min(next, *event);
+        for (const auto& each : flights_) next = std::min(next, each.at);
+        now_ = std::max(now_ + 1us, next);
+        while (!flights_.empty() && flights_.front().at <= now_) {
+            const auto back = std::move(flights_.front().frame);
+            flights_.pop_front();
+            bus_.on_frame(back, now_, out_);
+        }
+        for (auto& each : devices) {
+            each.slave.on_time(now_);
+            each.drive.work(each.slave, now_);
+        }
+        unit_->on_time(now_, out_);
+        bus_.on_time(now_, out_);
+    }
+
+    bridging::bridge_options options_{bridging::at_rest_within(100ms, 2ms)};
+    jaus::component_options core_options_{};
+    std::deque<bridging::exchange_under<actuator::table>> exchanges_{};
+    std::deque<bridging::order_memory<16, 256>> memories_{};
+    std::deque<bridging::slave_front> fronts_{};
+    std::optional<bridging::component> unit_{};
+    bridging::ring_for<joints, 1024> bus_{options_};
+    sink sink_{*this};
+    jaus::message_sink out_{sink_};
+    std::deque<flight> flights_{};
+    jauscat::time_point now_{1s};
+    std::uint16_t number_{100};
+};
+
+} // namespace
+
+TEST_CASE("a joint message moves six drives, is acknowledged then, and is reported") {
+    drives d;
+    d.run_until_turning(2.0);
+    for (std::size_t i = 0; i != joints; ++i) CHECK(std::abs(d.motor(i).velocity()) == Approx(20'000).margin(200));
+    d.tell(jaus::query_joint_velocities{}, jaus::ack_nak::none);
+    d.run(20ms);
+    std::optional<report_velocities> report;
+    for (const auto& each : d.messages) {
+        const auto parts = jaus::split(each);
+        if (parts.header.command_code != jaus::command_code_of<report_velocities>) continue;
+        CHECK(parts.header.destination == rig::operator_unit);
+        REQUIRE(jauscat::wire::decode(report.emplace(), parts.body));
+    }
+    REQUIRE(report);
+    REQUIRE(report->joint_velocity.size() == joints);
+    CHECK(report->joint_velocity[5] == Approx(2.0).margin(0.02));
+    const auto five = d.tell(set_velocities{.joint_velocity = {0, 0, 0, 0, 0}});
+    d.run_until([&] { return d.answer(five).has_value(); });
+    CHECK(d.answer(five) == jaus::ack_nak::nak);
+    CHECK(!d.all_at_rest());
+}
+
+TEST_CASE("an emergency brings six drives to rest, and is acknowledged then") {
+    drives d;
+    d.run_until_turning(2.0);
+    const auto number = d.tell(rig::stop());
+    d.run_until([&] { return d.answer(number) == jaus::ack_nak::ack; }, 200ms);
+    CHECK(d.all_at_rest());
+    CHECK(d.unit().state() == primary_status_code::emergency);
+    const auto refused = d.turn(1.0);
+    d.run(200ms);
+    CHECK(d.answer(refused) != jaus::ack_nak::ack);
+    CHECK(d.all_at_rest());
+}
+
+TEST_CASE("a drive's fault is the component's failure, until it is reset") {
+    drives d;
+    d.run_until_turning(2.0);
+    d.motor(3).disturbed.fault = jauscat::cia402::error_codes::over_current;
+    d.run_until([&] { return d.unit().state() == primary_status_code::failure; }, 20ms);
+    d.run_until([&] { return d.all_at_rest(); }, 200ms);
+    REQUIRE(d.watcher.faults.size() == 1);
+    CHECK(d.watcher.faults[0] == bridging::drive_fault{3, jauscat::cia402::error_codes::over_current});
+    d.motor(3).disturbed.fault = 0;
+    d.tell(jaus::reset{});
+    d.run_until([&] { return d.watcher.ended_faults == 1; }, 2s);
+    d.run_until([&] { return d.unit().state() != primary_status_code::failure; }, 2s);
+    CHECK(d.all_at_rest());
+}
+
+TEST_CASE("a drive that is lost brings the others to rest") {
+    drives d;
+    d.run_until_turning(2.0);
+    d.devices[2].connected = false;
+    d.run_until([&] { return d.watcher.lost != 0; }, 100ms);
+    d.run_until([&] { return d.all_at_rest(); }, 300ms);
+    CHECK(d.unit().state() == primary_status_code::failure);
+}
