@@ -46,6 +46,11 @@ JAUSCAT_DECL error_code error_of(const ethercat::master_error& error) noexcept {
     case too_many_managers:
     case image_full:
     case watchdog_range:
+    case no_clock:
+    case clock_topology:
+    case clock_delay:
+    case clock_unsettled:
+    case sync_late:
     case watchdog_not_kept: return bus_errc::not_configurable;
     case not_configured: return bus_errc::needs_cycles;
     case mailbox_full: return bus_errc::not_taken;
