@@ -109,6 +109,23 @@ a_bridge_carries() { # bridge
     expect 2 "two_drives INTERFACE" "$bin/two_drives"
     expect 1 "nix0" "$bin/two_drives" nix0
 }
+six_drives_are_an_arm() { # six_joints
+    local config=(--config "$bin/JausConfig.xml")
+    "$bin/emulated_drives" >"$work/arm.log" 2>&1 &
+    arm=$!
+    start "slave 5 answers, in OP" "$bin/six_joints" "${config[@]}" --this b
+    expect 0 "rad" "$bin/move_joints" "${config[@]}" --this a
+    tail -n 1 "$work/out.log" | grep -qE '^joints at (0.5|0.49|0.48) -(0.5|0.49|0.48) ' || fail "the joints are not there"
+    kill "$arm" && wait "$arm"
+    for _ in $(seq 600); do
+        grep -q "slave 5 is lost" "$work/server.log" && break
+        sleep 0.05
+    done
+    grep -q "slave 5 is lost" "$work/server.log" || fail "a lost drive is not told of"
+    expect 1 "refused by the receiver (NAK)" "$bin/move_joints" "${config[@]}" --this a # the component is in Failure
+    expect 2 "emulated_drives [INTERFACE]" "$bin/emulated_drives" --help
+    expect 1 "nix0" "$bin/emulated_drives" nix0
+}
 a_component_of_parts_answers() { # jaus_node
     is_a_component "" "$bin/jaus_node" "$bin/JausConfig.xml" b
     expect 2 "jaus_node CONFIGURATION SYSTEM" "$bin/jaus_node"
