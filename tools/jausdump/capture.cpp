@@ -72,7 +72,7 @@ packet packet_of(int link_type, bytes frame) {
     }
 }
 
-bool is_known(int link_type) {
+bool has_link_type(int link_type) {
     switch (link_type) {
     case DLT_EN10MB:
     case DLT_LINUX_SLL:
@@ -149,7 +149,7 @@ void read_capture(const std::string& path, const capture_listener& listener) {
         throw input_error{why.starts_with(path) ? why : path + ": " + why};
     }
     const int link_type = pcap_datalink(file.get());
-    if (!is_known(link_type)) {
+    if (!has_link_type(link_type)) {
         const char* name = pcap_datalink_val_to_name(link_type);
         throw input_error{path + ": link type " + (name != nullptr ? name : std::to_string(link_type)) +
                           " is not supported: Ethernet, Linux cooked, raw IP and loopback are"};

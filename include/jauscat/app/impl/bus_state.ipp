@@ -632,9 +632,11 @@ JAUSCAT_DECL void bus_state::stop() noexcept {
         const auto locked = lock();
         attempt([&] { abort_all(boost::asio::error::operation_aborted); });
         for (auto* const user : users_) user->was_up = user->front().up();
+        auto kept = std::exchange(on_cycle, nullptr); // what it refers to may be gone; nothing moves from now on
         attempt([&] {
             if (ring_) bring_to_rest(users_);
         });
+        on_cycle.swap(kept);
         end_operations();
         for (auto* const user : std::exchange(users_, {})) user->bus_ends();
         current_.reset();
