@@ -10,6 +10,7 @@
 #include <jauscat/schema/translation/self_contained_table.hpp>
 
 #include <array>
+#include <exception>
 #include <iostream>
 
 namespace bridging = jauscat::bridging;
@@ -57,7 +58,7 @@ constexpr ethercat::slave_description gripper{.vendor = 0x6A5,
                                               .clock_modes = clock_modes};
 // [description end]
 
-int main() {
+int main() try {
     // [write]
     const auto device = esi::make_device(
         gripper, {.vendor_name = "Makers", .group_type = "grippers", .group_name = "Grippers", .type = "G-2"},
@@ -74,4 +75,6 @@ int main() {
             std::cout << esi::hex_number(object.index, 4) << ':' << int{entry.subindex} << "  " << entry.name
                       << ", up to " << entry.max_size << " bytes\n";
     // [read end]
+} catch (const std::exception& problem) {
+    return std::cerr << problem.what() << '\n', 1;
 }
