@@ -1,49 +1,21 @@
 // Runs jauscat-ecat.
 #pragma once
 #include "app/emulated_bus.hpp"
+#include "support/scratch.hpp"
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <sys/wait.h>
-#include <unistd.h>
 #include <vector>
 
 namespace ecat_test {
 
 namespace ethercat = jauscat::ethercat;
 using json = nlohmann::ordered_json;
+using jauscat::test::content;
 using jauscat::test::emulated_bus;
-
-/// A folder of this test's own, removed with it.
-class scratch {
-  public:
-    scratch() {
-        std::string name = (std::filesystem::temp_directory_path() / "ecat-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error{"no temporary folder"};
-        folder_ = name;
-    }
-    scratch(const scratch&) = delete;
-    scratch& operator=(const scratch&) = delete;
-    ~scratch() {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
-    }
-    [[nodiscard]] std::string operator/(const std::string& name) const { return (folder_ / name).string(); }
-
-  private:
-    std::filesystem::path folder_{};
-};
-
-inline std::string content(const std::string& path) {
-    std::ostringstream text;
-    text << std::ifstream{path, std::ios::binary}.rdbuf();
-    return text.str();
-}
+using jauscat::test::scratch;
 
 struct outcome {
     int code{};

@@ -2,45 +2,20 @@
 #pragma once
 #include "support/hex.hpp"
 #include "support/pcap.hpp"
+#include "support/scratch.hpp"
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <sys/wait.h>
-#include <unistd.h>
 
 namespace dump_test {
 
 using json = nlohmann::ordered_json;
+using jauscat::test::content;
 using jauscat::test::from_hex;
-
-/// A folder of this test's own, removed with it.
-class scratch {
-  public:
-    scratch() {
-        std::string name = (std::filesystem::temp_directory_path() / "jausdump-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error{"no temporary folder"};
-        folder_ = name;
-    }
-    scratch(const scratch&) = delete;
-    scratch& operator=(const scratch&) = delete;
-    ~scratch() {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
-    }
-    [[nodiscard]] std::string operator/(const std::string& name) const { return (folder_ / name).string(); }
-
-  private:
-    std::filesystem::path folder_{};
-};
-
-inline std::string content(const std::string& path) {
-    std::ostringstream text;
-    text << std::ifstream{path, std::ios::binary}.rdbuf();
-    return text.str();
-}
+using jauscat::test::scratch;
 
 struct outcome {
     int code{};

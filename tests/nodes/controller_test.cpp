@@ -133,7 +133,7 @@ TEST_CASE("one controller drives masters on several interfaces, and keeps no pri
     // No thread of the program has kept the privilege that the sockets took.
     const auto tasks = std::filesystem::path{"/proc"} / std::to_string(controller.pid()) / "task";
     for (const auto& task : std::filesystem::directory_iterator{tasks}) {
-        const auto status = read_file((task.path() / "status").string());
+        const auto status = content((task.path() / "status").string());
         CHECK(status.find("CapEff:\t0000000000000000") != std::string::npos);
     }
     // A cable is cut: the others work on.
@@ -234,7 +234,7 @@ TEST_CASE("the state of a component reaches a slave with process data") {
 
 TEST_CASE("a controller has the components of its configuration") {
     robot r;
-    auto text = read_file(r.config);
+    auto text = content(r.config);
     const std::string id = "<jausip>2.0.0.0</jausip>";
     text.insert(text.find(id) + id.size(),
                 "<node id=\"2\"><component id=\"33\" authority=\"7\"/><component id=\"49\"/></node>");

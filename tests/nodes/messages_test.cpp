@@ -122,7 +122,7 @@ TEST_CASE("packets of a card's API are executed") {
 
 TEST_CASE("messages with the prefix JAUS01.0 pass, and bare ones beside them") {
     robot r;
-    auto text = read_file(r.config);
+    auto text = content(r.config);
     for (auto at = text.find("</port>"); at != std::string::npos; at = text.find("</port>", at + 20))
         text.insert(at + 7, "<framing>JAUS01.0</framing>");
     write_file(r.config, text);

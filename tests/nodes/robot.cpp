@@ -9,30 +9,13 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
-#include <sstream>
 #include <thread>
-#include <unistd.h>
 
 namespace nodes {
 
 std::filesystem::path bin() { return NODES_BIN; }
 
-scratch::scratch() {
-    std::string name = (std::filesystem::temp_directory_path() / "nodes-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error{"no temporary folder"};
-    folder_ = name;
-}
-scratch::~scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-}
-
 void write_file(const std::string& path, const std::string& content) { std::ofstream{path} << content; }
-std::string read_file(const std::string& path) {
-    std::ostringstream text;
-    text << std::ifstream{path, std::ios::binary}.rdbuf();
-    return text.str();
-}
 std::uint16_t free_port() { return support::free_ports<1>()[0]; }
 
 namespace {
@@ -182,7 +165,7 @@ program& robot::hold(const words& arguments, const std::string& system) {
 }
 std::uint16_t robot::add_second_unit() {
     const auto port = free_port();
-    auto text = read_file(config);
+    auto text = content(config);
     text.insert(text.find("</jausconfig>"), "<system><name>c</name><jausip>3.0.0.0</jausip><ip>127.0.0.1</ip><port>" +
                                                 std::to_string(port) + "</port></system>\n");
     write_file(config, text);

@@ -2,6 +2,7 @@
 #pragma once
 #include "nodes/program.hpp"
 #include "support/catch.hpp"
+#include "support/scratch.hpp"
 #include <jauscat/schema/jaus/platform.hpp>
 
 #include <csignal>
@@ -14,20 +15,10 @@ namespace nodes {
 
 /// The folder of the programs.
 std::filesystem::path bin();
-/// A folder of this test's own, removed with it.
-class scratch {
-  public:
-    scratch();
-    scratch(const scratch&) = delete;
-    scratch& operator=(const scratch&) = delete;
-    ~scratch();
-    [[nodiscard]] std::string operator/(const std::string& name) const { return (folder_ / name).string(); }
+using jauscat::test::content;
+using jauscat::test::scratch;
 
-  private:
-    std::filesystem::path folder_{};
-};
 void write_file(const std::string& path, const std::string& content);
-std::string read_file(const std::string& path);
 std::uint16_t free_port();
 /// A datagram of bytes in hex to a port of the loopback interface, `times` in all.
 void send_bytes(std::uint16_t port, const std::string& hex, unsigned times = 1);
