@@ -6,6 +6,7 @@
 #include <jauscat/ethercat/master/activity.hpp>
 #include <jauscat/ethercat/master/process_image.hpp>
 #include <jauscat/ethercat/master/sdo_transfer.hpp>
+#include <jauscat/ethercat/master/sii_read.hpp>
 #include <jauscat/ethercat/master/sii_survey.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
@@ -71,11 +72,8 @@ class process_setup {
     void request(frame_builder& frame) noexcept {
         switch (step_) {
         case step::describe: frame.read(station_, esc_registers::description); break;
-        case step::take_sii: // by force, then without
-            frame.write(station_, esc_registers::sii_owner, {.force = true});
-            frame.write(station_, esc_registers::sii_owner, {});
-            break;
-        case step::give_sii: frame.write(station_, esc_registers::sii_owner, {.pdi = true}); break;
+        case step::take_sii: ethercat::take_sii(frame, station_); break;
+        case step::give_sii: ethercat::give_sii(frame, station_); break;
         case step::set_up: set_up(frame); break;
         case step::set_watchdog:
             frame.write(station_, esc_registers::watchdog_divider, {default_watchdog_divider});

@@ -1,5 +1,5 @@
 // Reads words of a slave's SII, 4 or 8 bytes per access. The caller assigns the SII to the master before, and back
-// afterwards.
+// afterwards: take_sii, give_sii.
 #pragma once
 
 #include <jauscat/ethercat/frame_builder.hpp>
@@ -12,6 +12,16 @@
 #include <span>
 
 namespace jauscat::ethercat {
+
+/// Adds the datagrams that assign the SII to the master: by force, then without.
+inline void take_sii(frame_builder& frame, std::uint16_t station) noexcept {
+    frame.write(station, esc_registers::sii_owner, {.force = true});
+    frame.write(station, esc_registers::sii_owner, {});
+}
+/// Adds the datagram that assigns the SII to the slave's application.
+inline void give_sii(frame_builder& frame, std::uint16_t station) noexcept {
+    frame.write(station, esc_registers::sii_owner, {.pdi = true});
+}
 
 /// State machine: `request` adds the datagram of the present step, `reply` takes its return. Two frames for each read.
 class sii_read {

@@ -53,17 +53,14 @@ class slave_bring_up {
             assign(frame);
             break;
         case step::verify: frame.read(station, esc_registers::station_address); break;
-        case step::take_sii: // by force, then without
-            frame.write(station, esc_registers::sii_owner, {.force = true});
-            frame.write(station, esc_registers::sii_owner, {});
-            break;
+        case step::take_sii: ethercat::take_sii(frame, station); break;
         case step::read_identity:
         case step::read_mailbox: sii_.request(frame, station); break;
         case step::configure: // a SyncManager can be changed only while it is off
             frame.write(station, esc_registers::mailbox_managers, {});
             frame.write(station, esc_registers::mailbox_managers, managers());
             break;
-        case step::give_sii: frame.write(station, esc_registers::sii_owner, {.pdi = true}); break;
+        case step::give_sii: ethercat::give_sii(frame, station); break;
         case step::to_init:
         case step::to_pre_op: change_.request(frame); break;
         }

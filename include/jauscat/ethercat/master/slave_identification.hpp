@@ -49,13 +49,10 @@ class slave_identification {
             frame.read(station_, esc_registers::station_alias);
             frame.read(station_, esc_registers::al_status);
             break;
-        case step::take_sii: // by force, then without
-            frame.write(station_, esc_registers::sii_owner, {.force = true});
-            frame.write(station_, esc_registers::sii_owner, {});
-            break;
+        case step::take_sii: ethercat::take_sii(frame, station_); break;
         case step::read_alias:
         case step::read_identity: sii_.request(frame, station_); break;
-        case step::give_sii: frame.write(station_, esc_registers::sii_owner, {.pdi = true}); break;
+        case step::give_sii: ethercat::give_sii(frame, station_); break;
         case step::ask_id:
             frame.write(station_, esc_registers::al_control, {.state = state_, .request_device_id = true});
             break;
