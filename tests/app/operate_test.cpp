@@ -90,12 +90,12 @@ struct bench {
 
 TEST_CASE("an application exchanges process data with a slave in OP, and ends at rest") {
     const bool thread = GENERATE(false, true);
+    std::atomic<unsigned> cycles{}, seen{}; // outlive the bus, as all that every_cycle refers to
     bench b{thread};
     const auto left = b.bus->slave({.name = "left"});
     CHECK_FALSE(left.is_operating());
     CHECK(left.outputs().empty());
-    std::atomic<unsigned> cycles{}, seen{};
-    b.bus->every_cycle([&] {
+    b.bus->every_cycle([&cycles, &seen, left] {
         if (!left.is_operating()) return;
         ++cycles;
         left.outputs()[0] = std::byte{42};
@@ -140,7 +140,7 @@ TEST_CASE("an application exchanges process data with a slave in OP, and ends at
 TEST_CASE("several slaves are operated in one cycle") {
     bench b;
     const auto left = b.bus->slave({.position = 0}), right = b.bus->slave({.position = 1});
-    b.bus->every_cycle([&] {
+    b.bus->every_cycle([left, right] {
         if (!left.is_operating() || !right.is_operating()) return;
         left.outputs()[0] = std::byte{1};
         right.outputs()[0] = std::byte(std::to_integer<unsigned>(left.inputs()[0]) + 1);
@@ -159,7 +159,7 @@ TEST_CASE("a slave that leaves its operation is reported, and comes to OP only i
     const bool thread = GENERATE(false, true);
     bench b{thread};
     const auto left = b.bus->slave({.position = 0}), right = b.bus->slave({.position = 1});
-    b.bus->every_cycle([&] {
+    b.bus->every_cycle([left, right] {
         for (const auto& each : {left, right})
             if (each.is_operating()) each.outputs()[0] = std::byte{7};
     });
@@ -190,10 +190,10 @@ TEST_CASE("a slave that leaves its operation is reported, and comes to OP only i
 }
 
 TEST_CASE("a callback that throws brings all slaves in operation to rest") {
+    bool throws = false;
     bench b;
     const auto left = b.bus->slave({.position = 0});
-    bool throws = false;
-    b.bus->every_cycle([&] {
+    b.bus->every_cycle([&throws, left] {
         if (throws) throw std::runtime_error{"no value"};
         if (left.is_operating()) left.outputs()[0] = std::byte{7};
     });

@@ -75,8 +75,8 @@ class bus {
 
     /// Called in each cycle, when the process data of slaves in operation have returned or are lost: reads inputs and
     /// writes outputs (`slave::inputs`, `slave::outputs`). In the thread of the bus if it has one, which it must not
-    /// delay; else by the io_context. It must not end the bus, and is not called any more once the bus stops or ends.
-    /// If it throws, all slaves in operation are brought to rest.
+    /// delay; else by the io_context. It must not end the bus, and is not called any more once the bus stops or ends:
+    /// what it refers to must live until then. If it throws, all slaves in operation are brought to rest.
     JAUSCAT_DECL void every_cycle(std::function<void()> f);
     /// Called when a slave is lost: it does not answer, or has ended its operation.
     JAUSCAT_DECL void when_lost(std::function<void(const slave_info& slave, boost::system::error_code why)> f);
