@@ -52,7 +52,7 @@ outcome run(const std::vector<bench_slave>& slaves, std::uint32_t seed, int lost
     for (int i = 0; i != cycles; ++i) {
         if (i == lost) bench.device(network->reference - clock_bench::station(0)).power_on();
         bench.now = std::max(bench.now, due + duration{jitter(random)});
-        const auto frame = std::span{buffer}.first(clock.next_frame(buffer, bench.now));
+        const auto frame = std::span{buffer}.first(clock.next_frame(buffer, bench.now, bench.now - due));
         bench.send(frame);
         static_cast<void>(clock.on_frame(frame));
         const auto period = static_cast<double>((1ms + clock.end_cycle()).count()) * (1 - master_drift);

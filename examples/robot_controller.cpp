@@ -24,14 +24,14 @@ class front {
           log_{say_, at.name},
           options_{bridge_options_of(values)},
           node_{log_.of_node(node_options_of(at, values))},
-          bus_{node_.context(), at.link, log_.of_bus(bus_options_of(values))} {
+          bus_{node_.context(), at.link, log_.of_bus(bus_options_of(at, values))} {
         say_(events::link_opened, {{"link", describe_link(at.link)}}, describe_link(at.link));
         const auto connect = [&]<class Table>() { return bridge_.emplace(node_, bus_, Table{}, options_), success; };
         with_table(values, connect);
         bridge_->observe(log_.observer());
-        bridge_->when_up([this](const auto&) { tell_ready(); });
-        for (const auto& component : components_of(config_.me(), node_.manager().node))
-            bridge_->serve(component, bus_.slave({.position = 0}));
+        bridge_->when_up([this](const auto&) { return bridge_->is_up() ? tell_ready() : void(); });
+        for (const auto& [component, names] : components_of(config_.me(), node_.manager().node))
+            bridge_->serve(component, slaves_of(bus_, names), joints_of(names.size(), values));
         node_.when_appeared([this](const auto& who) { log_.peer(who, true); });
         node_.when_disappeared([this, &all](const auto& who) {
             log_.peer(who, false);

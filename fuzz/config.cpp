@@ -2,6 +2,7 @@
 #include "support/target.hpp"
 #include <jauscat/net/config/read_jaus_config.hpp>
 
+#include <iomanip>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -32,6 +33,35 @@ void write_component(pugi::xml_node into, const net::component_entry& component)
     set(node, "instance", static_cast<unsigned>(component.id.instance));
     set(node, "name", component.name.c_str());
     set(node, "authority", static_cast<unsigned>(component.authority));
+    std::string slaves;
+    for (const auto& name : component.slaves) slaves += name + ' ';
+    if (!slaves.empty()) set(node, "slaves", slaves.c_str());
+}
+
+void write_slave(pugi::xml_node node, const net::slave_entry& slave) {
+    set(node, "name", slave.name.c_str());
+    const auto set_number = [&](const char* name, const auto& value) {
+        if (value) set(node, name, static_cast<unsigned>(*value));
+    };
+    set_number("position", slave.position);
+    set_number("alias", slave.alias);
+    set_number("identification", slave.identification);
+    set_number("vendor", slave.vendor);
+    set_number("product", slave.product);
+    set_number("revision", slave.revision);
+    set_number("serial", slave.serial);
+    if (!slave.esi.empty()) set(node, "esi", slave.esi.c_str());
+    set(node, "optional", slave.is_optional ? "yes" : "no");
+    for (const auto& sdo : slave.start_up) {
+        std::ostringstream octets;
+        octets << std::hex << std::setfill('0');
+        for (const auto octet : sdo.data) octets << std::setw(2) << std::to_integer<unsigned>(octet);
+        auto child = node.append_child("sdo");
+        set(child, "index", static_cast<unsigned>(sdo.index));
+        set(child, "subindex", static_cast<unsigned>(sdo.subindex));
+        set(child, "type", "OCTET_STRING");
+        set(child, "value", octets.str().c_str());
+    }
 }
 
 void write_system(pugi::xml_node node, const net::system_entry& entry) {
@@ -59,6 +89,7 @@ void write_system(pugi::xml_node node, const net::system_entry& entry) {
         set(child, "controller", master->controller.c_str());
         const auto udp = "udp:" + master->udp_host + ':' + std::to_string(master->udp_port);
         set(child, "interface", master->interface_name.empty() ? udp.c_str() : master->interface_name.c_str());
+        for (const auto& slave : master->slaves) write_slave(child.append_child("slave"), slave);
     }
     for (const auto& named : entry.nodes) {
         auto child = node.append_child("node");
@@ -85,7 +116,13 @@ std::string written(const net::jaus_config& config) {
 /// Without the lines, and the components in the order of their addresses.
 net::system_entry content_of(net::system_entry entry) {
     entry.line = 0;
-    if (entry.ethercat) entry.ethercat->line = 0;
+    if (auto& master = entry.ethercat) {
+        master->line = 0;
+        for (auto& slave : master->slaves) {
+            slave.line = 0;
+            for (auto& sdo : slave.start_up) sdo.line = 0;
+        }
+    }
     for (auto& node : entry.nodes) node.line = 0;
     for (auto& component : entry.components) component.line = 0;
     std::ranges::sort(entry.components, {}, [](const net::component_entry& c) {

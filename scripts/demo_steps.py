@@ -1,6 +1,7 @@
 """Runs the programs of the demonstration and judges each step by the events that they log. Started by scripts/demo."""
 import argparse
 import json
+import math
 import os
 import pathlib
 import random
@@ -19,7 +20,10 @@ wait_limit = 15  # seconds
 axes = [f"{kind}_effort_{axis}" for kind in ("propulsive_linear", "propulsive_rotational", "resistive_linear", "resistive_rotational")
         for axis in "xyz"]
 set_wrench_effort = 0x0405
-names = {"a": "ocu a", "c": "ocu c", "robot_controller": "controller", "robot_arm": "arm"}
+set_joint_positions, report_joint_positions = 0x0602, 0x4602
+joints = ["waist", "shoulder", "elbow", "forearm", "wrist", "hand"]
+names = {"a": "ocu a", "c": "ocu c", "robot_controller": "controller", "robot_arm": "arm", "six": "controller",
+         "drives": "six drives", "operator": "operator"}
 
 coloured = sys.stdout.isatty() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
 
@@ -36,11 +40,14 @@ class Failed(Exception):
 class Program:
     """A process that logs JSON lines."""
 
-    def __init__(self, log, name, command):
+    def __init__(self, log, name, command, script=""):
         self.name = name
         self.log = log
         # In a session of its own: Ctrl-C goes to the demonstration, which ends the programs in order.
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True)
+        self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                        start_new_session=True)
+        self.process.stdin.write(script)
+        self.process.stdin.close()
         self.reader = threading.Thread(target=self.read, daemon=True)
         self.reader.start()
 
@@ -112,6 +119,11 @@ def efforts_of(body):
     return values
 
 
+def positions_of(body):
+    """Radians, in the body of Set or Report Joint Positions: a number, and 32 bits for each."""
+    return [raw * 16 * math.pi / (2**32 - 1) - 8 * math.pi for (raw,) in struct.iter_unpack("<I", body[1:])]
+
+
 def percent(axis, raw):
     return raw / 32767 * 100 if axis.startswith("propulsive") else raw / 255 * 100
 
@@ -128,24 +140,35 @@ class Demonstration:
         self.problems = []
         self.steps = self.failures = 0
         # Free ports, so that several demonstrations run beside each other.
-        sockets = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(4)]
+        sockets = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(6)]
         for one in sockets:
             one.bind(("127.0.0.1", 0))
-        *jaus, self.ethercat_port = (one.getsockname()[1] for one in sockets)
+        *jaus, arm_port, self.drives_port, self.ethercat_port = (one.getsockname()[1] for one in sockets)
         for one in sockets:
             one.close()
         config = (root / "examples/JausConfig.xml").read_text(encoding="utf-8")
         for system, port in enumerate(jaus):
             config = config.replace(f"<port>{39777 + system}<", f"<port>{port}<")
+        slaves = "".join(f'<slave name="{joint}" position="{i}" vendor="0x4A43" product="0x402">'
+                         '<sdo index="0x6060" type="SINT" value="8"/></slave>' for i, joint in enumerate(joints))
+        config = config.replace("</jausconfig>", f'''
+  <system name="d" jausip="4.2.0.0" ip="127.0.0.1" port="{arm_port}">
+    <ethercat interface="udp:127.0.0.1:{self.drives_port}">{slaves}</ethercat>
+    <component id="54" slaves="{' '.join(joints)}"/>
+  </system>
+</jausconfig>''')
         self.config = pathlib.Path(self.folder.name) / "JausConfig.xml"
         self.config.write_text(config, encoding="utf-8")
 
     # Processes.
 
-    def start(self, name, program, *arguments):
-        command = [str(pathlib.Path(self.options.bin) / program), "--config", str(self.config), "--log-format", "json", *arguments]
+    def start(self, name, program, *arguments, script=""):
+        return self.start_command(name, program, "--config", str(self.config), "--log-format", "json", *arguments, script=script)
+
+    def start_command(self, name, program, *arguments, script=""):
+        command = [str(pathlib.Path(self.options.bin) / program), *arguments]
         try:
-            self.programs.append(Program(self.log, name, command))
+            self.programs.append(Program(self.log, name, command, script))
         except OSError as error:
             raise Failed(f"{command[0]}: {error.strerror}") from None
         return self.programs[-1]
@@ -221,7 +244,8 @@ class Demonstration:
         with self.log.changed:
             events = sorted(self.log.events[self.printed:], key=lambda event: event["time"])
             self.printed = len(self.log.events)
-        colours = {"a": "cyan", "c": "magenta", "robot_controller": "yellow", "robot_arm": "green"}
+        colours = {"a": "cyan", "c": "magenta", "robot_controller": "yellow", "robot_arm": "green",
+                   "six": "yellow", "drives": "green", "operator": "cyan"}
         header_field = re.compile(r"  000[0-9a-e]  .{14}(priority|command_code|destination\.|source\.|data_size|sequence_number)")
         for event in events:
             lines = [line for line in event["text"].split("\n") if not header_field.match(line)]
@@ -409,6 +433,30 @@ class Demonstration:
                     self.efforts = dict.fromkeys(axes, 0)
                     self.arm_holds_that()
 
+        def six_start():
+            self.start_command("drives", "emulated_drives", f"udp:{self.drives_port}")
+            self.start("six", "robot_controller", "--this", "d", "--cycle", "10000", "--stop-within", "1000")
+            self.require("six", "ready", slave_up=True)
+            self.require("six", "state_changed", address="4.2.54.1", to="ready")
+            for joint in joints:
+                if not any(f'slave "{joint}"' in event["line"] for event in self.log.find("six", "bus_log", self.step_begin)):
+                    self.wrong(f"the controller did not find the slave {joint}")
+
+        def joints_move():
+            goal = [0.5, -0.5, 1.0, -1.0, 0.25, 0.1]
+            message = " ".join(f"joint[{i}].joint_position={angle}" for i, angle in enumerate(goal))
+            script = f"send 4.2.54.1 set_joint_positions {message}\n" + "wait 1\nsend 4.2.54.1 query_joint_positions\n" * 5 + "wait 1\nexit\n"
+            self.expect(self.start("operator", "communicator", "--this", "a", script=script).wait(), 0, "exit code of the operator")
+            reports = self.log.find("operator", "message_received", self.step_begin, code=report_joint_positions)
+            shown = positions_of(from_hexadecimal(reports[-1]["body"])) if reports else []
+            if len(shown) != len(goal) or any(abs(a - b) > 0.02 for a, b in zip(shown, goal)):
+                self.wrong(f"the joints are at {[round(each, 2) for each in shown]}, commanded was {goal}")
+
+        def six_end():
+            for program in self.programs:
+                if program.name == "six":
+                    self.expect(program.end(), 0, "exit code of the controller")
+
         full = ([f"propulsive_linear_effort_{axis}=100" for axis in "xy"] + ["propulsive_linear_effort_z=-100"]
                 + [f"propulsive_rotational_effort_{axis}=-100" for axis in "xyz"] + [f"resistive_linear_effort_{axis}=100" for axis in "xyz"]
                 + [f"resistive_rotational_effort_{axis}=0" for axis in "xyz"])
@@ -429,6 +477,9 @@ class Demonstration:
         self.step("unit a commands random fields", lambda: commands("--random", str(random.randrange(32768))))
         self.step("unit c queries: the report has what the arm executes", queries)
         self.step("the robot ends: the controller brings the arm to rest", ends)
+        self.step("six drives on one ring: a controller finds each by its name", six_start)
+        self.step("an operator commands the positions of six joints, and the drives reach them", joints_move)
+        self.step("the controller brings the six drives to rest and ends", six_end)
 
 
 def main():

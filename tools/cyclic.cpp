@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <optional>
 #include <sched.h>
 #include <set>
 #include <sstream>
@@ -29,18 +30,29 @@ It brings each slave from INIT to OP, runs for --seconds or until Ctrl-C, and me
 in turn. All outputs are 0. It reports when a slave leaves OP or is lost. The exit code is 1 if a slave is not in OP at
 the end.
 
+With --clocks it also sets the slaves' distributed clocks up and starts SYNC0, each period. The cycles follow the reference
+clock; the slaves go to OP when they do. It measures how far from their phase the frames pass the reference clock, and the
+largest difference of any slave's clock from it.
+
 Examples:
   cyclic                                     EtherCAT in UDP to 127.0.0.1, port 34980: robot_arm
   cyclic --link raw --interface eth0 --period 250 --priority 80
+  cyclic --link raw --interface eth0 --clocks
 )";
 
 struct measurement {
     jauscat::net::latency_histogram late{}, round_trip{};
+    jauscat::net::latency_histogram clock_error{}, difference{}; // of each cycle with the reference clock's time
     std::uint64_t uploads{}, failed_uploads{};
 
     void add(const jauscat::net::cycle_report& cycle) {
         late.add(cycle.late);
         if (cycle.back) round_trip.add(cycle.round_trip);
+    }
+    void add(const ethercat::clock_cycle& clocks) {
+        if (!clocks.is_complete()) return;
+        clock_error.add(std::chrono::abs(clocks.control().error()));
+        difference.add(std::chrono::nanoseconds{clocks.difference()});
     }
 };
 
@@ -55,7 +67,8 @@ void become_real_time(int priority) {
 
 constexpr auto longest_silence = milliseconds{100}; // then a slave counts as stopped
 
-constexpr const char *wake_up = "wake-up after the instant it was due", *round_trip = "round trip of the process data";
+constexpr const char *wake_up = "wake-up after the instant it was due", *round_trip = "round trip of the process data",
+                     *clock_error = "frame at the reference clock, off phase", *difference = "clocks, upper bound";
 
 void print_distribution(std::ostream& out, const char* name, const jauscat::net::latency_histogram& times) {
     out << "\n" << example::bold(name) << " (from, cycles, their logarithm as a bar)\n";
@@ -63,12 +76,16 @@ void print_distribution(std::ostream& out, const char* name, const jauscat::net:
 }
 
 void print_quantiles(std::ostream& out, const measurement& measured) {
-    constexpr int name_width = 38, width = 10;
+    constexpr int name_width = 40, width = 10;
     std::ostringstream heading;
     heading << std::left << std::setw(name_width) << "microseconds" << std::right;
     for (const auto* column : {"median", "99 %", "99.9 %", "max"}) heading << std::setw(width) << column;
     out << "\n" << example::bold(heading.str()) << "\n" << std::fixed << std::setprecision(1);
-    for (const auto& [name, times] : {std::pair{wake_up, &measured.late}, {round_trip, &measured.round_trip}}) {
+    for (const auto& [name, times] : {std::pair{wake_up, &measured.late},
+                                      {round_trip, &measured.round_trip},
+                                      {clock_error, &measured.clock_error},
+                                      {difference, &measured.difference}}) {
+        if (times->count() == 0) continue;
         out << std::left << std::setw(name_width) << name << std::right;
         for (const auto time : {times->quantile(0.5), times->quantile(0.99), times->quantile(0.999), times->max()})
             out << std::setw(width) << std::chrono::duration<double, std::micro>{time}.count();
@@ -94,9 +111,46 @@ template <class T> void require(const ethercat::master_result<T>& result, const 
     example::require(result, what);
 }
 
-/// Every slave to SAFE-OP under the stations `first` and up.
+/// The clocks of all slaves of the ring.
+struct clock_set {
+    std::vector<ethercat::clock_record> records{};
+    ethercat::clock_network network{};
+    std::uint64_t time_at_start{}; ///< system time when `start` was
+    jauscat::time_point start{};
+
+    [[nodiscard]] std::uint64_t time() const {
+        return time_at_start + static_cast<std::uint64_t>((jauscat::net::now() - start).count());
+    }
+};
+
+/// Delays, offsets, drift, and SYNC0 in each `period`. The slaves are in PRE-OP.
+void set_up_clocks(clock_set& clocks, const std::vector<std::uint16_t>& stations, microseconds period,
+                   const auto& run) {
+    constexpr std::chrono::sys_days epoch{std::chrono::year{2000} / 1 / 1};
+    clocks.start = jauscat::net::now();
+    clocks.time_at_start =
+        static_cast<std::uint64_t>(std::chrono::nanoseconds{std::chrono::system_clock::now() - epoch}.count());
+    for (const auto station : stations)
+        clocks.records.push_back(
+            {.station = station,
+             .sync = {.assign_activate = 0x0300,
+                      .sync0_cycle = static_cast<std::uint32_t>(std::chrono::nanoseconds{period}.count())}});
+    clocks.network =
+        *run(ethercat::set_up_clocks{.slaves = clocks.records, .system_time = clocks.time()}, "distributed clocks");
+    static_cast<void>(run(ethercat::start_sync{.slaves = clocks.records, .system_time = clocks.time()}, "SYNC0"));
+    for (const auto& each : clocks.records) {
+        if (!each.has_clock()) continue;
+        example::write_event(
+            example::events::clock_set_up,
+            {{"station", each.station}, {"delay_ns", each.delay}, {"difference_ns", each.difference.magnitude}},
+            "cyclic: slave " + std::to_string(each.station) + ": clock, " + std::to_string(each.delay) +
+                " ns from the reference clock, difference " + std::to_string(each.difference.magnitude) + " ns\n");
+    }
+}
+
+/// Every slave to SAFE-OP under the stations `first` and up. `clocks`: nullptr, or to be set up, too.
 std::vector<std::uint16_t> set_up(jauscat::net::any_link& medium, ethercat::master& master, std::uint16_t first,
-                                  milliseconds watchdog) {
+                                  milliseconds watchdog, clock_set* clocks, microseconds period) {
     stoppable_link link{medium};
     const auto run = [&](const auto& job, const std::string& what) {
         const auto result = jauscat::net::run(link, master, job);
@@ -111,14 +165,16 @@ std::vector<std::uint16_t> set_up(jauscat::net::any_link& medium, ethercat::mast
         static_cast<void>(run(ethercat::bring_up{.position = static_cast<std::uint16_t>(i), .station = station},
                               name + " to PRE-OP"));
         const auto place = run(ethercat::configure{.station = station, .watchdog = watchdog}, name + ", process data");
-        static_cast<void>(
-            run(ethercat::change_state{.station = station, .goal = ethercat::al_state::safe_op}, name + " to SAFE-OP"));
         example::write_event(example::events::slave_configured,
                              {{"station", station}, {"outputs", place->output_size}, {"inputs", place->input_size}},
                              "cyclic: " + name + ": " + std::to_string(place->output_size) + " bytes of outputs, " +
                                  std::to_string(place->input_size) + " of inputs\n");
         stations.push_back(station);
     }
+    if (clocks != nullptr) set_up_clocks(*clocks, stations, period, run);
+    for (const auto station : stations)
+        static_cast<void>(run(ethercat::change_state{.station = station, .goal = ethercat::al_state::safe_op},
+                              "slave " + std::to_string(station) + " to SAFE-OP"));
     return stations;
 }
 
@@ -227,13 +283,39 @@ void leave_op(jauscat::net::any_link& link, ethercat::master& master, const std:
     }
 }
 
+/// Cycles until they follow the reference clock.
+void wait_for_lock(auto& cycles, const ethercat::clock_cycle& clocks) {
+    std::uint64_t count = 0;
+    while (!clocks.control().is_locked()) {
+        cycles.run([] {});
+        if (example::stop_requested) throw std::runtime_error{"stopped before the cycles followed the reference clock"};
+        if (clocks.is_lost()) throw std::runtime_error{"no slave answers as the reference clock any longer"};
+        ++count;
+    }
+    example::write_event(example::events::clocks_locked, {{"cycles", count}, {"drift_ppb", clocks.control().drift()}},
+                         "cyclic: after " + std::to_string(count) +
+                             " cycles they follow the reference clock; this one is " +
+                             std::to_string(clocks.control().drift() / 1000) + " ppm faster\n");
+}
+
+std::string clocks_line(const ethercat::clock_cycle& clocks) {
+    const auto& counts = clocks.statistics();
+    return "clocks: cycles " + std::string{clocks.control().is_locked() ? "follow" : "do not follow"} +
+           ", frames lost " + std::to_string(counts.lost) + ", reference clock without answer " +
+           std::to_string(counts.unanswered) + ", replaced " + std::to_string(counts.takeovers) + "\n";
+}
+
 constexpr std::size_t max_slaves = 1000;
 
 int measure(jauscat::net::any_link& link, const auto& values) {
     std::vector<ethercat::slave_record> records(max_slaves);
     ethercat::master master{records, {.frame_timeout = milliseconds{values["frame-timeout"].template as<unsigned>()}}};
-    const auto stations = set_up(link, master, values["station"].template as<std::uint16_t>(),
-                                 milliseconds{values["watchdog"].template as<unsigned>()});
+    const microseconds period{values["period"].template as<unsigned>()};
+    const bool has_clocks = values["clocks"].template as<bool>();
+    clock_set clock_records;
+    const auto stations =
+        set_up(link, master, values["station"].template as<std::uint16_t>(),
+               milliseconds{values["watchdog"].template as<unsigned>()}, has_clocks ? &clock_records : nullptr, period);
     // [memory]
     std::vector<ethercat::process_slot> slots(stations.size());
     std::vector<std::byte> bytes(ethercat::process_image::of(master.slaves()).size);
@@ -243,10 +325,16 @@ int measure(jauscat::net::any_link& link, const auto& values) {
     if (bytes.empty()) throw std::runtime_error{"no slave has process data"};
     if (!data.fits()) throw std::runtime_error{"process data and states of a slave do not fit into one frame"};
 
-    const microseconds period{values["period"].template as<unsigned>()};
     jauscat::net::cycle_runner cycles{
         link, data, master, {.period = period, .spin = microseconds{values["spin"].template as<unsigned>()}}};
     const auto nothing = [](auto&&...) {};
+    std::optional<ethercat::clock_cycle> clocks;
+    if (has_clocks) {
+        clocks.emplace(clock_records.records, clock_records.network, clock_records.time(),
+                       ethercat::clock_watch_options{.control = ethercat::cycle_control_options::of_period(period)});
+        cycles.set_clocks(&*clocks);
+        wait_for_lock(cycles, *clocks);
+    }
     for (const auto station : stations) { // outputs have to flow while a slave goes to OP
         const auto give_up_on_stop = [&](const auto&) {
             if (example::stop_requested) master.cancel(ethercat::master_errc::timeout);
@@ -268,6 +356,7 @@ int measure(jauscat::net::any_link& link, const auto& values) {
     const auto result = std::make_unique<measurement>();
     while (!example::stop_requested && std::chrono::steady_clock::now() < end) {
         result->add(cycles.run(nothing));
+        if (clocks) result->add(*clocks);
         slaves.look();
         mailbox.work(master, *result);
     }
@@ -276,22 +365,31 @@ int measure(jauscat::net::any_link& link, const auto& values) {
     std::ostringstream text;
     print_distribution(text, wake_up, result->late);
     print_distribution(text, round_trip, result->round_trip);
+    if (clocks) print_distribution(text, clock_error, result->clock_error);
     print_quantiles(text, *result);
     text << "\ncycles " << after.sent - before.sent << ", complete " << after.complete - before.complete
          << ", with another working counter " << after.incomplete - before.incomplete << ", lost "
          << after.lost - before.lost << ", left out " << cycles.overruns() - overruns_before << "\nuploads meanwhile "
          << result->uploads << ", failed " << result->failed_uploads << "\n";
+    if (clocks) text << clocks_line(*clocks);
     const auto in_us = [](auto time) { return std::chrono::duration<double, std::micro>{time}.count(); };
+    example::event_members of_clocks;
+    if (clocks)
+        of_clocks = {{"clock_error_median_us", in_us(result->clock_error.quantile(0.5))},
+                     {"clock_error_p99_us", in_us(result->clock_error.quantile(0.99))},
+                     {"difference_max_ns", result->difference.max().count()},
+                     {"locked", clocks->control().is_locked()}};
     example::write_event(example::events::measured,
-                         {{"cycles", after.sent - before.sent},
-                          {"complete", after.complete - before.complete},
-                          {"incomplete", after.incomplete - before.incomplete},
-                          {"lost", after.lost - before.lost},
-                          {"skipped", cycles.overruns() - overruns_before},
-                          {"uploads", result->uploads},
-                          {"failed_uploads", result->failed_uploads},
-                          {"late_max_us", in_us(result->late.max())},
-                          {"round_trip_max_us", in_us(result->round_trip.max())}},
+                         example::event_members{{"cycles", after.sent - before.sent},
+                                                {"complete", after.complete - before.complete},
+                                                {"incomplete", after.incomplete - before.incomplete},
+                                                {"lost", after.lost - before.lost},
+                                                {"skipped", cycles.overruns() - overruns_before},
+                                                {"uploads", result->uploads},
+                                                {"failed_uploads", result->failed_uploads},
+                                                {"late_max_us", in_us(result->late.max())},
+                                                {"round_trip_max_us", in_us(result->round_trip.max())}} +
+                             of_clocks,
                          text.str());
     leave_op(link, master, stations);
     return after.complete != before.complete && slaves.all_run() ? example::success : example::failure;
@@ -310,6 +408,7 @@ int main(int argc, char** argv) {
             ("spin", po::value<unsigned>()->default_value(0), "the last microseconds of each wait are spent polling: more exact, and uses processor time")
             ("priority", po::value<unsigned>()->default_value(0), "real-time priority, 1 to 99; 0: none")
             ("upload-every", po::value<unsigned>()->default_value(1000), "milliseconds between two SDO uploads; 0: none")
+            ("clocks", po::bool_switch(), "set up distributed clocks and SYNC0; the cycles follow the reference clock")
             ("watchdog", po::value<unsigned>()->default_value(100), "milliseconds without outputs after which a slave leaves OP, 1 to 6553")
             ("station", po::value<std::uint16_t>()->default_value(1), "station address of the first slave; the others follow")
             ("frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");

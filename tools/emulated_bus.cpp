@@ -14,8 +14,11 @@
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/value.hpp>
 
+#include <ctime>
 #include <deque>
+#include <linux/sockios.h>
 #include <map>
+#include <sys/ioctl.h>
 
 namespace {
 
@@ -30,6 +33,7 @@ The slaves have a CoE mailbox with SDO information and complete access, and proc
 Each has these objects of exact sizes, which store the written values:
   0x2000:0 1 byte    0x2001:0 2 bytes   0x2002:0 4 bytes   0x2003:0 28 bytes  0x2004:0 1000 bytes
   0x2010:1 to 0x2010:4, 4 bytes each    0x1AF4:1 and 0x6926:1, 28 bytes each
+With --clock they have 0x1C32 and 0x1C33, too: missed SYNC0 are in subindex 11, an error in subindex 32.
 In OP the inputs repeat the outputs, so that a master can check its cycle.
 With --esi the slaves are those of a file that jauscat-esi has written: its mailbox, PDOs, objects and SII. A report that is
 read is the one written last.
@@ -134,6 +138,7 @@ class node {
           dictionary_{description, prepare(more)},
           memory_(objects_.largest()),
           slave_{description, dictionary_, with_memory(options)} {
+        if (description.synchronization) dictionary_.show(slave_.synchronization());
         objects_.add_mapped(description.outputs, slave_.outputs(), true);
         objects_.add_mapped(description.inputs, slave_.inputs(), false);
         objects_.on_write = [this](auto... what) { show_write(what...); };
@@ -217,6 +222,17 @@ class node {
     ethercat::al_status status_{.state = ethercat::al_state::init};
 };
 
+/// When the frame arrived that was received last. The kernel has noted it: this program may have been woken up later.
+jauscat::time_point arrival_at(int socket) {
+    timespec noted{}, real{};
+    const auto now = jauscat::net::now();
+    ::clock_gettime(CLOCK_REALTIME, &real);
+    if (::ioctl(socket, SIOCGSTAMPNS_OLD, &noted) != 0) return now; // the first call switches it on
+    const auto since =
+        std::chrono::seconds{real.tv_sec - noted.tv_sec} + std::chrono::nanoseconds{real.tv_nsec - noted.tv_nsec};
+    return now - std::clamp<jauscat::duration>(since, jauscat::duration{}, std::chrono::seconds{1});
+}
+
 int serve(jauscat::net::any_link& link, const std::string& where, std::deque<node>& nodes,
           std::chrono::nanoseconds cable) {
     std::vector<ethercat::wired_slave> wires;
@@ -231,13 +247,18 @@ int serve(jauscat::net::any_link& link, const std::string& where, std::deque<nod
     const example::speaker say{"emulated_bus"};
     std::string problem;
     std::uint64_t frames = 0;
+    static_cast<void>(arrival_at(link.native_handle()));
+    bool is_idle = true;
     while (!example::stop_requested) {
-        const auto size = link.receive(frame, std::chrono::milliseconds{20});
+        // Frames that wait came before now: the slaves' time does not pass them.
+        const auto size = link.receive(frame, is_idle ? std::chrono::milliseconds{20} : std::chrono::milliseconds{});
+        const auto at = size != 0 ? arrival_at(link.native_handle()) : jauscat::net::now();
+        is_idle = size == 0;
         if (size != 0) {
             ++frames;
             const auto received = std::span{frame}.first(size);
             // First the frame, as the hardware does, and only then what the slaves make of it.
-            static_cast<void>(tree.pass(received, jauscat::net::now()));
+            static_cast<void>(tree.pass(received, at));
             if (!link.send(received))
                 say.bad(example::events::frame_not_returned, {{"problem", link.problem()}},
                         "a frame did not go back: " + link.problem());
@@ -250,8 +271,8 @@ int serve(jauscat::net::any_link& link, const std::string& where, std::deque<nod
             if (!problem.empty()) say.bad(example::events::link_problem, {{"problem", problem}}, problem);
         }
         for (auto& each : nodes) {
-            each.slave().pass_time(jauscat::net::now());
-            each.slave().on_time(jauscat::net::now());
+            each.slave().pass_time(at);
+            each.slave().on_time(at);
             each.show_changes();
         }
     }
@@ -357,6 +378,7 @@ int main(int argc, char** argv) {
                                                           .eight_byte_sii_reads = values["eight-byte-sii"].as<bool>(),
                                                           .outputs = outputs.entries,
                                                           .inputs = inputs.entries,
+                                                          .synchronization = clock != ethercat::clock_width::no_clock,
                                                           .clock = clock,
                                                           .sync_missed_limit =
                                                               values["sync-missed"].as<std::uint16_t>()};

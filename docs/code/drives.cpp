@@ -85,7 +85,7 @@ int main() {
     using efforts = translate::object_translator<translation::set_joint_efforts_table<1>>;
     const auto limited = efforts::to_objects(body, scales, [&](std::size_t joint, const auto& object, auto value) {
         std::cout << "joint " << joint + 1 << ": " << object.name << " = " << value << '\n';
-        cia402::store(places.target_torque, output_bytes, value); // or a download of object.index, object.subindex
+        cia402::store(places.target_torque, output_bytes, value);
     });
     // [efforts end]
     if (!limited) return 1;

@@ -3,12 +3,16 @@
 #include "support/link_options.hpp"
 #include "support/node_options.hpp"
 #include <jauscat/app/bridge_options.hpp>
-#include <jauscat/app/bus_options.hpp>
+#include <jauscat/app/bus.hpp>
+#include <jauscat/app/joints.hpp>
 #include <jauscat/app/node_options.hpp>
+#include <jauscat/ethercat/cia402/pdo_layout.hpp>
 #include <jauscat/jaus/message/message.hpp>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -54,6 +58,9 @@ inline boost::program_options::options_description controller_options() {
         ("station", po::value<std::uint16_t>()->default_value(2), "station address and JAUS node of the slave, 1 to 254")
         ("clear-subindex-0", po::bool_switch(), "write 0 to subindex 0 of an object before each message, for slaves that otherwise abort with 06010003h")
         ("cycle", po::value<unsigned>()->default_value(0), "period of the process data in microseconds; wrench efforts then bypass the mailbox; 0: no process data")
+        ("joint-increments", po::value<double>()->default_value(10'000), "of a drive, for one radian of its joint")
+        ("joint-velocity", po::value<double>()->default_value(5), "of a joint at most, in radians per second")
+        ("joint-acceleration", po::value<double>()->default_value(20), "of a joint, in radians per second squared")
         ("stop-within", po::value<unsigned>(), "milliseconds within which the slave is at rest after its controller, the link, its state or this program is lost; default: 500, with --cycle 100")
         ("wait", po::value<unsigned>()->default_value(5000), "milliseconds to wait for the slave at the start")
         ("open", "accept messages from all senders, for tests")
@@ -94,19 +101,54 @@ inline std::vector<place> places_of(const values_map& values) {
     return places;
 }
 
-/// The components in front of a slave: those that the configuration gives the system at the node, or the one of its
+/// A component, and the names of its slaves; none: the first slave of the ring.
+struct front_component {
+    jauscat::served_component component{};
+    std::vector<std::string> slaves{};
+};
+
+/// The components in front of slaves: those that the configuration gives the system at the node, or the one of its
 /// jausip, or a Primitive Driver.
-inline std::vector<jauscat::served_component> components_of(const jauscat::net::system_entry& me, std::uint8_t node) {
+inline std::vector<front_component> components_of(const jauscat::net::system_entry& me, std::uint8_t node) {
     constexpr std::uint8_t primitive_driver = 33;
-    std::vector<jauscat::served_component> found;
+    std::vector<front_component> found;
     for (const auto& entry : me.components)
         if (entry.id.node == node && !is_node_manager(entry.id))
-            found.push_back({entry.id.component, entry.id.instance, entry.authority});
+            found.push_back({{entry.id.component, entry.id.instance, entry.authority}, entry.slaves});
     const auto& own = me.jausip;
     if (found.empty())
-        found.push_back({.component = own.component != 0 ? own.component : primitive_driver,
-                         .instance = std::max<std::uint8_t>(own.instance, 1)});
+        found.push_back({{.component = own.component != 0 ? own.component : primitive_driver,
+                          .instance = std::max<std::uint8_t>(own.instance, 1)}});
+    if (me.ethercat && !me.ethercat->slaves.empty())
+        for (auto& each : found)
+            if (each.slaves.empty()) each.slaves.push_back(me.ethercat->slaves.front().name);
     return found;
+}
+
+inline std::vector<jauscat::slave> slaves_of(const jauscat::bus& bus, const std::vector<std::string>& names) {
+    if (names.empty()) return {bus.slave({.position = 0})};
+    std::vector<jauscat::slave> found;
+    for (const auto& name : names) found.push_back(bus.slave({.name = name}));
+    return found;
+}
+/// Joints that are alike, by drives with the usual process data; nullptr for a single slave.
+inline std::unique_ptr<jauscat::bridging::process_part> joints_of(std::size_t count, const values_map& values) {
+    namespace cia402 = jauscat::cia402;
+    if (count < 2) return nullptr;
+    if (values["cycle"].as<unsigned>() == 0) throw usage_error{"a component with several slaves needs --cycle"};
+    const auto increments = values["joint-increments"].as<double>();
+    const auto velocity = values["joint-velocity"].as<double>() * increments;
+    const auto acceleration = values["joint-acceleration"].as<double>() * increments;
+    constexpr double most = 2'000'000'000;
+    if (!(increments > 0) || !(velocity >= 1 && velocity <= most) || !(acceleration >= 1 && acceleration <= most))
+        throw usage_error{"--joint-increments, --joint-velocity or --joint-acceleration is out of range"};
+    std::vector<jauscat::bridging::joint_options> joints(count);
+    for (std::size_t i = 0; i != count; ++i)
+        joints[i] = {.slave = i,
+                     .places = cia402::places_of(cia402::cyclic_outputs, cia402::cyclic_inputs),
+                     .axis = {.max_velocity = velocity, .acceleration = acceleration, .deceleration = acceleration},
+                     .scale = {.increments_per_radian = increments, .max_velocity = velocity}};
+    return jauscat::joint_drives(joints);
 }
 
 inline jauscat::node_options node_options_of(const place& at, const values_map& values) {
@@ -115,8 +157,10 @@ inline jauscat::node_options node_options_of(const place& at, const values_map& 
             .node = static_cast<std::uint8_t>(at.station),
             .open = values.count("open") != 0};
 }
-inline jauscat::bus_options bus_options_of(const values_map& values) {
-    return {.frame_timeout = std::chrono::milliseconds{values["frame-timeout"].as<unsigned>()},
+inline jauscat::bus_options bus_options_of(const place& at, const values_map& values) {
+    const auto& ethercat = at.config.me().ethercat;
+    return {.slaves = ethercat ? ethercat->slaves : std::vector<jauscat::net::slave_entry>{},
+            .frame_timeout = std::chrono::milliseconds{values["frame-timeout"].as<unsigned>()},
             .clear_subindex_0 = values["clear-subindex-0"].as<bool>()};
 }
 inline jauscat::bridge_options bridge_options_of(const values_map& values) {

@@ -9,6 +9,7 @@
 #include <jauscat/app/bus_options.hpp>
 #include <jauscat/app/node_options.hpp>
 #include <jauscat/bridge/component.hpp>
+#include <jauscat/net/detail/endpoint_text.hpp>
 #include <jauscat/text/jaus.hpp>
 #include <jauscat/text/packet_status_text.hpp>
 #include <jauscat/text/value.hpp>
@@ -54,7 +55,11 @@ class narrator {
     }
     /// Has the bus log here.
     [[nodiscard]] jauscat::bus_options of_bus(jauscat::bus_options options) {
-        options.log = [](std::string_view) {}; // the faults, which come here, and slaves without a bridge
+        options.log = [this, has_names = !options.slaves.empty()](std::string_view line) {
+            if (!has_names || line.find(": slave ") == line.npos) return; // a fault, which comes here, too
+            if (line.find(" is refused: ") != line.npos) failure_ = line;
+            say_(events::bus_log, {{"line", line}}, std::string{line});
+        };
         options.on_fault = [this](jauscat::link_fault what, std::string_view line) {
             switch (what) {
             case jauscat::link_fault::no_frames:

@@ -1,5 +1,6 @@
 // Six emulated CiA 402 drives, for masters to be tried against: in UDP, or on a network interface as on a cable.
 //     emulated_drives
+//     emulated_drives udp:34981
 //     emulated_drives eth1
 #include <jauscat/ethercat/cia402/emulated_drive.hpp>
 #include <jauscat/ethercat/link.hpp>
@@ -11,7 +12,9 @@
 
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <iostream>
+#include <string>
 
 namespace cia402 = jauscat::cia402;
 namespace ethercat = jauscat::ethercat;
@@ -49,12 +52,13 @@ template <ethercat::link Link> void serve(Link& link) {
 }
 
 int main(int argc, char** argv) try {
-    if (argc > 2 || (argc == 2 && argv[1][0] == '-')) return std::cerr << "emulated_drives [INTERFACE]\n", 2;
-    if (argc == 1) {
-        auto link = net::udp_link::serve(net::udp_link::ethercat_port, "127.0.0.1");
+    if (argc > 2 || (argc == 2 && argv[1][0] == '-')) return std::cerr << "emulated_drives [udp:PORT|INTERFACE]\n", 2;
+    const std::string where = argc == 1 ? "udp:34980" : argv[1];
+    if (where.starts_with("udp:")) {
+        auto link = net::udp_link::serve(static_cast<std::uint16_t>(std::stoul(where.substr(4))), "127.0.0.1");
         serve(link);
     } else {
-        net::raw_link link{argv[1]};
+        net::raw_link link{where};
         serve(link);
     }
 } catch (const std::exception& problem) {

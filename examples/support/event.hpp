@@ -61,6 +61,7 @@ inline constexpr event_kind frame_not_returned{"frame_not_returned"};
 
 // JAUS nodes.
 inline constexpr event_kind node_log{"node_log"};
+inline constexpr event_kind bus_log{"bus_log"};
 inline constexpr event_kind message_received{"message_received"};
 inline constexpr event_kind message_sent{"message_sent"};
 inline constexpr event_kind message_repeated{"message_repeated"};
@@ -143,6 +144,8 @@ inline constexpr event_kind line_refused{"line_refused"};
 // cyclic.
 inline constexpr event_kind memory_not_locked{"memory_not_locked"};
 inline constexpr event_kind slave_configured{"slave_configured"};
+inline constexpr event_kind clock_set_up{"clock_set_up"};
+inline constexpr event_kind clocks_locked{"clocks_locked"};
 inline constexpr event_kind slave_stopped{"slave_stopped"};
 inline constexpr event_kind slave_runs_again{"slave_runs_again"};
 inline constexpr event_kind upload_failed{"upload_failed"};

@@ -4,6 +4,7 @@
 #include "support/robot_messages.hpp"
 #include <jauscat/net/link/any_link.hpp>
 #include <jauscat/net/link/drop_privileges.hpp>
+#include <jauscat/net/link/udp_link.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/translate/fixed_length.hpp>
 

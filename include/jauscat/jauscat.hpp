@@ -5,6 +5,7 @@
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/bridge/image_exchange.hpp>
 #include <jauscat/bridge/joints/joint_part.hpp>
+#include <jauscat/bridge/joints/object_jobs.hpp>
 #include <jauscat/bridge/listed_objects.hpp>
 #include <jauscat/bridge/message_assembly.hpp>
 #include <jauscat/bridge/object_creation.hpp>

@@ -42,7 +42,10 @@ namespace {
 class actuator_ring {
   public:
     explicit actuator_ring(std::size_t count) {
-        for (std::size_t i = 0; i != count; ++i) all_.emplace_back(std::uint8_t{2}, static_cast<std::uint16_t>(2 + i));
+        for (std::size_t i = 0; i != count; ++i) {
+            all_.emplace_back(std::uint8_t{2}, static_cast<std::uint16_t>(2 + i));
+            order_.push_back(i);
+        }
         thread_ = std::thread{[this] { serve(); }};
     }
     ~actuator_ring() {
@@ -54,6 +57,11 @@ class actuator_ring {
 
     [[nodiscard]] std::string where() const { return "udp:127.0.0.1:" + std::to_string(port_); }
     std::atomic<bool> is_silent{}, is_garbage{};
+    /// These alone are on the cable, in this order.
+    void connect(std::vector<std::size_t> order) {
+        const std::lock_guard lock{mutex_};
+        order_ = std::move(order);
+    }
     auto with(std::size_t i, auto f) {
         const std::lock_guard lock{mutex_};
         return f(all_.at(i));
@@ -69,11 +77,9 @@ class actuator_ring {
             const auto size = link_.receive(buffer, 2ms);
             const std::lock_guard lock{mutex_};
             const auto frame = std::span{buffer}.first(size);
-            for (auto& each : all_)
-                if (size != 0)
-                    each.pass(frame, jauscat::net::now());
-                else
-                    each.work(jauscat::net::now());
+            if (size != 0)
+                for (const auto i : order_) all_[i].pass(frame, jauscat::net::now());
+            for (auto& each : all_) each.work(jauscat::net::now());
             if (is_garbage)
                 for (auto& byte : frame.subspan(std::min<std::size_t>(size, 16))) byte ^= std::byte{0x5A};
             if (size != 0 && !is_silent) static_cast<void>(link_.send(frame));
@@ -84,6 +90,7 @@ class actuator_ring {
     std::uint16_t port_{link_.port()};
     std::mutex mutex_{};
     std::deque<test::emulated_actuator> all_{};
+    std::vector<std::size_t> order_{};
     std::atomic<bool> stop_{};
     std::thread thread_{};
 };
@@ -526,6 +533,83 @@ TEST_CASE("a component in front of several slaves drives each, and rests when on
     SECTION("the bus ends") { b.bus->stop(); }
     for (std::size_t i = 0; i != joints; ++i) CHECK(b.ring.effort(i) == 0);
     b.run(20ms);
+}
+
+TEST_CASE("a named slave is served wherever it is, and never another one in its place") {
+    const auto period = GENERATE(0ms, 10ms);
+    enum class loss { reset, state, cable };
+    const auto what = GENERATE(loss::reset, loss::state, loss::cable);
+    bench b{2, {.slaves = {{.name = "elbow", .alias = 103}}, .check_interval = 20ms, .frame_timeout = 5ms}};
+    b.ring.connect({0});
+    b.serve({.name = "elbow"}, {.period = period});
+    b.start();
+    REQUIRE(b.until([&] { return b.has_line("slave \"elbow\" is refused: the slave is missing"); }));
+    CHECK_FALSE(b.bridge->is_up());
+    b.ring.connect({0, 1});
+    REQUIRE(b.drive(40, 1));
+    CHECK(b.has_line("slave \"elbow\" answers"));
+    CHECK(b.bus->slave({.name = "elbow"}).info().station == 2);
+    if (what == loss::reset) b.ring.with(1, [](auto& each) { each.power_cycle(); });
+    if (what == loss::state)
+        b.ring.with(1, [](auto& each) {
+            each.hangs = true; // in OP its watchdog expires, in PRE-OP nothing is executed
+        });
+    if (what == loss::cable) b.ring.connect({0});
+    REQUIRE(b.until([&] {
+        static_cast<void>(b.unit.send(arm, jaus::set_wrench_effort{.propulsive_linear_effort_x = 40.0}));
+        return b.state == status::failure;
+    }));
+    b.run(200ms);
+    CHECK(b.ring.effort(0) == 0); // the other one is not taken for it
+    if (what == loss::cable) CHECK_FALSE(b.bridge->is_up());
+    b.ring.with(1, [](auto& each) { each.hangs = false; });
+    if (what == loss::cable) b.ring.connect({1, 0}); // at another place
+    REQUIRE(b.until([&] { return b.state == status::ready && b.bridge->at_rest(); }));
+    REQUIRE(b.drive(41, 1));
+    CHECK(b.ring.effort(0) == 0);
+    if (what == loss::reset) b.robot->stop();
+    if (what == loss::state) b.bridge.reset();
+    if (what == loss::cable) b.bus->stop();
+    CHECK(b.ring.effort(1) == 0);
+    b.run(50ms);
+}
+
+TEST_CASE("a component in front of named slaves works again when one of them comes back elsewhere") {
+    const bool thread = GENERATE(false, true);
+    constexpr jaus::address manipulator{.instance = 1, .component = 56, .node = 2, .subsystem = 2};
+    bench b{3,
+            {.slaves = {{.name = "a", .alias = 102}, {.name = "b", .alias = 103}, {.name = "c", .alias = 104}},
+             .check_interval = 20ms,
+             .frame_timeout = 5ms,
+             .thread = thread}};
+    b.bridge.emplace(*b.robot, *b.bus, translation::seed_table{}, jauscat::bridge_options{.period = 10ms});
+    std::vector<jauscat::slave> slaves;
+    for (const char* const name : {"a", "b", "c"}) slaves.push_back(b.bus->slave({.name = name}));
+    b.bridge->serve({.component = 56}, slaves, std::make_unique<test::joint_part>());
+    b.bridge->when_changed([&](const auto&, status now) { b.state = now; });
+    b.ring.connect({2, 0, 1});
+    b.start();
+    const auto drive = [&] {
+        int turns = 0;
+        return b.until([&] {
+            if (turns++ % 20 == 0) {
+                static_cast<void>(b.unit.send(manipulator, jaus::request_component_control{.authority_code = 100}));
+                static_cast<void>(
+                    b.unit.send(manipulator, jaus::basic_set_joint_efforts<3>{.joint_effort = {10, 20, 30}}));
+            }
+            return std::abs(b.ring.effort(0) - 10) < 0.1 && std::abs(b.ring.effort(2) - 30) < 0.1;
+        });
+    };
+    REQUIRE(drive());
+    b.ring.connect({2, 0});
+    REQUIRE(b.until([&] { return b.state == status::failure && b.ring.effort(0) == 0 && b.ring.effort(2) == 0; }));
+    b.ring.with(1, [](auto& each) { each.power_cycle(); });
+    b.ring.connect({1, 2, 0});
+    REQUIRE(b.until([&] { return b.state == status::ready && b.bridge->at_rest(); }));
+    REQUIRE(drive());
+    CHECK(std::abs(b.ring.effort(1) - 20) < 0.1);
+    b.robot->stop();
+    for (std::size_t i = 0; i != 3; ++i) CHECK(b.ring.effort(i) == 0);
 }
 
 TEST_CASE("operations of a bus go on beside its bridge") {

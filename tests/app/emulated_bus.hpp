@@ -9,6 +9,7 @@
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/link/any_link.hpp>
+#include <jauscat/net/link/udp_link.hpp>
 #include <jauscat/net/now.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 
@@ -78,6 +79,12 @@ class emulated_bus {
     std::atomic<bool> is_garbage{};
     /// Frames pass only so many slaves: the cable behind them is out.
     void cut_behind(std::size_t slaves) { reach_ = slaves; }
+    /// These slaves alone are on the cable, in this order.
+    void connect(std::vector<std::size_t> order) {
+        const std::lock_guard lock{mutex_};
+        order_ = std::move(order);
+        reach_ = order_.size();
+    }
     [[nodiscard]] unsigned frames() const noexcept { return frames_; }
 
     void with(std::size_t slave, const std::function<void(emulated_slave&)>& f) {
@@ -98,7 +105,10 @@ class emulated_bus {
     }
     emulated_bus(const std::vector<ethercat::slave_description>& slaves, bool are_described, slaves_end end)
         : link_{std::move(end.link)}, where_{std::move(end.where)} {
-        for (const auto& each : slaves) slaves_.emplace_back(each, are_described);
+        for (const auto& each : slaves) {
+            order_.push_back(slaves_.size());
+            slaves_.emplace_back(each, are_described);
+        }
         reach_ = slaves_.size();
         thread_ = std::thread{[this] { serve(); }};
     }
@@ -117,7 +127,7 @@ class emulated_bus {
     void pass(std::span<std::byte> frame) {
         const std::size_t reached = reach_;
         for (std::size_t i = 0; i != reached; ++i) {
-            auto& each = slaves_[i];
+            auto& each = slaves_[order_[i]];
             each.device.pass(frame);
             if (each.works) each.device.work();
             if (each.works && each.application) each.application(each.device);
@@ -155,6 +165,7 @@ class emulated_bus {
     std::string where_;
     std::mutex mutex_{};
     std::deque<emulated_slave> slaves_{};
+    std::vector<std::size_t> order_{};
     std::atomic<std::size_t> reach_{};
     std::atomic<unsigned> frames_{};
     std::atomic<bool> stop_{};

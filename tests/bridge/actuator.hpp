@@ -152,7 +152,9 @@ class emulated_actuator {
                                        jaus::report_wrench_effort, jaus::set_emergency, jaus::clear_emergency,
                                        jaus::set_travel_speed, jaus::report_heartbeat_pulse>::description};
 
-    emulated_actuator(std::uint8_t subsystem, std::uint16_t station) : behind{subsystem, station} {}
+    /// Its alias is 100 more than the station address.
+    emulated_actuator(std::uint8_t subsystem, std::uint16_t station)
+        : behind{subsystem, station}, alias_{static_cast<std::uint16_t>(100 + station)} {}
 
     /// A frame passes.
     void pass(std::span<std::byte> frame, jauscat::time_point now) {
@@ -178,8 +180,10 @@ class emulated_actuator {
         ethercat::image_entries<actuator::image, ethercat::image_objects::outputs>};
     static constexpr std::span<const ethercat::pdo_entry> inputs{
         ethercat::image_entries<actuator::image, ethercat::image_objects::inputs>};
+    std::uint16_t alias_;
     ethercat::slave_description description_{.vendor = 1,
                                              .product = 2,
+                                             .station_alias = alias_,
                                              .mailbox_out_size = 256,
                                              .mailbox_in_size = 256,
                                              .name = "actuator",

@@ -448,6 +448,77 @@ TEST_CASE(
     CHECK(r.motor(1).effort == 0);
 }
 
+TEST_CASE("a dead slave among six delays neither commands nor a stop order to the others") {
+    rig r{6};
+    r.run_until_ready();
+    const auto one = r.run_until([&, number = r.drive(10, 0)] { return r.is_acknowledged(number); });
+    r.actuators[5].hangs = true;
+    const auto hung = r.drive(30, 5);
+    r.run(5ms);
+    std::vector<std::uint16_t> numbers;
+    for (std::size_t i = 0; i != 5; ++i) numbers.push_back(r.drive(20, i));
+    const auto five = r.run_until(
+        [&] { return std::ranges::all_of(numbers, [&](auto number) { return r.is_acknowledged(number); }); });
+    CHECK(five <= one + 100us); // all at once
+    const auto stopped = r.run_until([&, number = r.tell(rig::stop(), 3)] { return r.is_acknowledged(number); });
+    CHECK(stopped <= one + 100us);
+    CHECK(r.motor(3).emergency);
+    CHECK_FALSE(r.answer(hung));
+    CHECK(r.watcher.lost == 0);
+    CHECK(r.bus.statistics().foreign == 0);
+}
+
+TEST_CASE("a stop order gets the place of a transfer where more slaves are dead than messages go at the same time") {
+    rig r{20}; // 16 lanes
+    r.run_until_ready();
+    for (std::size_t i = 0; i != 19; ++i) {
+        r.actuators[i].hangs = true;
+        r.drive(30, i);
+    }
+    r.run(5ms);
+    const auto took = r.run_until([&, number = r.tell(rig::stop(), 19)] { return r.is_acknowledged(number); });
+    CHECK(took <= 80ms);
+    CHECK(r.watcher.lost == 1);
+}
+
+TEST_CASE("a job of others for a slave that gets a message waits for it, and others for all others do not") {
+    rig r{2};
+    r.run_until_ready();
+    std::array<std::byte, 64> name{};
+    struct sharing {
+        rig& r;
+        std::span<std::byte> into;
+        std::uint16_t station{};
+        std::vector<ethercat::master_error> ended{};
+        bool begin(ethercat::master& idle) {
+            const auto wanted = std::exchange(station, std::uint16_t{0});
+            return wanted != 0 && idle.start(ethercat::upload{wanted, 0x1008, 0, into});
+        }
+        void done(ethercat::master& idle) { ended.push_back(idle.error()); }
+        void cycle() {}
+    } others{r, name};
+    r.bus.share({.begin = jaus::bound<&sharing::begin>(others),
+                 .done = jaus::bound<&sharing::done>(others),
+                 .cycle = jaus::bound<&sharing::cycle>(others)});
+    r.actuators[0].hangs = true;
+    const auto hung = r.drive(30, 0);
+    r.run(1ms);
+    others.station = 2;
+    r.run(5ms);
+    CHECK(others.ended.empty());
+    r.run_until([&, number = r.drive(20, 1)] { return r.is_acknowledged(number); }, 5ms);
+    r.actuators[0].hangs = false;
+    r.run_until([&] { return r.is_acknowledged(hung); });
+    r.run_until([&] { return others.ended.size() == 1; }, 5ms);
+    CHECK(others.ended.back() == ethercat::master_error{});
+
+    r.actuators[0].hangs = true;
+    others.station = 3;
+    r.drive(30, 0);
+    r.run_until([&] { return others.ended.size() == 2; }, 5ms);
+    CHECK(others.ended.back() == ethercat::master_error{});
+}
+
 TEST_CASE("a message waits for its slave for a bounded time") {
     rig r;
     r.run_until_ready();
@@ -533,6 +604,6 @@ TEST_CASE("polling the states does not consume a reply for which the master wait
         CHECK(took < 20ms);
     }
     CHECK(r.watcher.failed_bring_ups == 0);
-    CHECK(r.bus.master().statistics().lost == 0);
-    CHECK(r.bus.master().statistics().foreign == 0);
+    CHECK(r.bus.statistics().lost == 0);
+    CHECK(r.bus.statistics().foreign == 0);
 }

@@ -247,6 +247,53 @@ TEST_CASE("an axis uses the profiles of the drive") {
     CHECK(r.mine.error().code == axis_errc::homing_failed);
 }
 
+TEST_CASE("after a halt a drive in profile position stays where it is") {
+    rig r;
+    REQUIRE(r.enable(mode::profile_position));
+    REQUIRE(r.mine.move_to(100'000));
+    const int cycles = GENERATE(0, 1, 2, 3, 300); // the set-point is not offered, offered, taken, on its way
+    r.cycle(cycles);
+    r.mine.halt(true);
+    r.cycle(500);
+    const double at = r.motor().position();
+    CHECK(std::abs(r.motor().velocity()) < 10);
+    CHECK(at < 90'000);
+    r.mine.halt(false);
+    r.cycle(2000);
+    CHECK(r.motor().position() == Approx(at).margin(20));
+    CHECK(r.mine.state() == axis_state::enabled);
+    REQUIRE(r.mine.move_to(50'000));
+    r.cycle(2000);
+    CHECK(r.mine.is_target_reached());
+    CHECK(r.motor().position() == Approx(50'000).margin(20));
+}
+
+TEST_CASE("a homing method that the drive does not have shows an error at rest") {
+    rig r;
+    r.values().homing_method = 1;
+    REQUIRE(r.enable(mode::homing));
+    REQUIRE(r.mine.home());
+    r.cycle(3);
+    const auto bits = status_bits::homing_error | status_bits::homing_attained | status_bits::target_reached;
+    CHECK((r.values().statusword & bits) == (status_bits::homing_error | status_bits::target_reached));
+    r.cycle(10);
+    CHECK(r.mine.error().code == axis_errc::homing_failed);
+}
+
+TEST_CASE("a following error shows before it is a fault") {
+    rig r;
+    r.values().following_error_time = 200;
+    REQUIRE(r.enable(mode::cyclic_synchronous_position));
+    r.motor().disturbed.blocked = true;
+    REQUIRE(r.mine.move_to(1'000'000));
+    for (int i = 0; i != 1000 && !r.mine.has_following_error(); ++i) r.cycle();
+    CHECK(r.mine.has_following_error());
+    CHECK(r.mine.error().code == axis_errc::ok);
+    r.cycle(300);
+    CHECK(r.mine.error().drive_code == error_codes::following_error);
+    CHECK(!r.mine.has_following_error());
+}
+
 TEST_CASE("a blocked shaft ends in a following error, and the axis says so") {
     rig r;
     REQUIRE(r.enable(mode::cyclic_synchronous_position));

@@ -27,6 +27,7 @@ template <std::size_t Axes> std::array<bridging::joint_options, 6> joint_arm() {
     std::array<bridging::joint_options, 6> made{};
     for (std::size_t i = 0; i != made.size(); ++i)
         made[i] = {.slave = i / Axes,
+                   .drive_axis = i % Axes,
                    .places = cia402::places_of(outputs, inputs, i % Axes),
                    .axis = {.max_velocity = 200'000, .acceleration = 2'000'000, .deceleration = 2'000'000},
                    .scale = {.increments_per_radian = 10'000, .reversed = i % 2 == 1, .max_velocity = 100'000}};

@@ -70,12 +70,14 @@ template <std::size_t Axes = 1> struct arm {
             std::array<bridging::drive_image, joints / Axes> images{};
             for (std::size_t s = 0; s != images.size(); ++s) {
                 const auto& record = master.slaves()[s];
+                const bool is_current = data->status(record).ran_within(2ms, link.now);
                 images[s] = {data->outputs(record), data->inputs(record),
-                             data->status(record).ran_within(2ms, link.now)};
+                             is_current ? bridging::input_age::current : missing};
             }
             group.step(images, link.now);
         }
     }
+    bridging::input_age missing{bridging::input_age::lost}; ///< what a drive without an answer is
     template <class Message> joint_errc command(std::uint16_t code, const Message& message) {
         std::array<std::byte, 64> body{};
         const auto encoded = wire::encode(message, body);
@@ -123,6 +125,21 @@ TEST_CASE("a command enables six drives and takes effect in the same cycle") {
     a.cycle(100);
     CHECK(a.group.is_at_rest());
     CHECK(a.group.state() == joint_group_state::at_rest);
+}
+
+TEST_CASE("a command of the mode in force changes the targets in the next cycle, without a step back") {
+    arm a;
+    a.cycle(5);
+    REQUIRE(a.turn(2.0) == joint_errc::ok);
+    a.cycle(100);
+    REQUIRE(a.group.axis(0).targets().velocity == 20'000);
+    REQUIRE(a.turn(2.0) == joint_errc::ok);
+    a.cycle();
+    CHECK(a.group.has_targets());
+    CHECK(a.group.axis(0).targets().velocity == 20'000);
+    REQUIRE(a.turn(3.0) == joint_errc::ok);
+    a.cycle();
+    CHECK(a.group.axis(0).targets().velocity == 22'000); // 2,000,000 increments/s^2
 }
 
 TEST_CASE("positions are reached and reported; the next message changes the mode") {
@@ -207,6 +224,37 @@ TEST_CASE("a drive that disappears brings the others to rest, and its values are
     CHECK(std::abs(a.motor(2).velocity()) < 10);
 }
 
+TEST_CASE("a drive that is late keeps its targets, and goes on to rest if it is told to") {
+    arm a;
+    a.cycle(5);
+    REQUIRE(a.turn(2.0) == joint_errc::ok);
+    a.cycle(100);
+    a.missing = bridging::input_age::late;
+    a.devices[2].connected = false;
+    a.cycle(8);
+    CHECK(a.group.state() == joint_group_state::moving);
+    const auto target = [&a] { return std::abs(a.group.axis(2).targets().velocity); };
+    CHECK(target() == Approx(20'000).margin(1));
+    SECTION("it answers again") {
+        a.devices[2].connected = true;
+        a.cycle(3);
+        CHECK(a.group.state() == joint_group_state::moving);
+        CHECK(a.velocity(2) == Approx(2.0).margin(0.02));
+    }
+    SECTION("a stop order comes in between") {
+        a.group.stop();
+        a.cycle();
+        CHECK(target() < 20'000);
+        a.cycle(15);
+        CHECK(target() == 0);
+    }
+    SECTION("so does an emergency") {
+        a.group.emergency();
+        a.cycle();
+        CHECK(a.group.axis(2).targets().controlword == cia402::control_of(cia402::command::quick_stop));
+    }
+}
+
 TEST_CASE("a message for another number of joints changes nothing") {
     arm a;
     a.cycle(5);
@@ -232,4 +280,18 @@ TEST_CASE("joints may share a drive with several axes") {
     a.cycle(100);
     CHECK(a.group.failed_joint() == 4);
     CHECK(a.motor(3).state() == cia402::state::switch_on_disabled);
+}
+
+TEST_CASE("a group serves the commands that its process data have the objects for") {
+    auto options = test::joint_arm<1>();
+    for (auto& each : options) {
+        each.places.mode = {};
+        each.places.fixed_mode = cia402::mode::cyclic_synchronous_velocity;
+    }
+    const bridging::joint_group<joints> velocities{options};
+    CHECK(velocities.is_usable());
+    CHECK(velocities.serves(set_velocities));
+    CHECK(!velocities.serves(set_positions));
+    options[4].places.target_velocity = {};
+    CHECK(!bridging::joint_group<joints>{options}.is_usable());
 }

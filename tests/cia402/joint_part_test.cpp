@@ -53,7 +53,7 @@ class drives {
                                 .destination = self,
                                 .source = rig::operator_unit,
                                 .sequence_number = ++number_};
-        std::array<std::byte, 64> buffer{};
+        std::array<std::byte, 128> buffer{};
         const auto encoded = jauscat::wire::encode(body, buffer);
         REQUIRE(encoded);
         static_cast<void>(unit_->on_message(
@@ -75,16 +75,22 @@ class drives {
         run_until([&, number = turn(rate)] { return answer(number) == jaus::ack_nak::ack; });
         run(200ms);
     }
+    [[nodiscard]] const jauscat::ethercat::master_error& bring_up_error(std::size_t i) const {
+        return bus_.bring_up_error(fronts_[i]);
+    }
     [[nodiscard]] bool all_at_rest() {
         for (std::size_t i = 0; i != joints; ++i)
             if (std::abs(motor(i).velocity()) > 10) return false;
         return true;
     }
 
+    unsigned frames_to_lose{};
     std::array<joint_device<1>, joints> devices{};
     bridging::joint_part<joints> part{joint_arm<1>()};
     notes watcher{};
     std::vector<std::vector<std::byte>> messages{};
+    std::function<void()> on_message{};
+    std::function<void()> on_step{};
 
   private:
     struct flight {
@@ -93,15 +99,25 @@ class drives {
     };
     struct sink {
         drives& mine;
-        void operator()(bytes message) const { mine.messages.emplace_back(message.begin(), message.end()); }
+        void operator()(bytes message) const {
+            mine.messages.emplace_back(message.begin(), message.end());
+            if (mine.on_message) mine.on_message();
+        }
     };
 
     void step(jauscat::time_point limit) {
         std::array<std::byte, ethercat::max_frame_size> buffer{};
         while (const auto size = bus_.next_frame(buffer, now_)) {
             const auto frame = std::span{buffer}.first(size);
-            for (auto& each : devices)
-                if (each.connected) each.slave.process(frame);
+            if (frames_to_lose != 0) {
+                --frames_to_lose;
+                continue;
+            }
+            for (auto& each : devices) {
+                if (!each.connected) continue;
+                each.slave.process(frame);
+                each.drive.work(each.slave, now_);
+            }
             flights_.push_back({{frame.begin(), frame.end()}, now_ + 100us});
         }
         auto next = std::min(limit, now_ + 1ms); // the drives have time of their own
@@ -118,6 +134,7 @@ class drives {
             each.slave.on_time(now_);
             each.drive.work(each.slave, now_);
         }
+        if (on_step) on_step();
         unit_->on_time(now_, out_);
         bus_.on_time(now_, out_);
     }
@@ -160,6 +177,63 @@ TEST_CASE("a joint message moves six drives, is acknowledged then, and is report
     CHECK(!d.all_at_rest());
 }
 
+TEST_CASE("a joint message is acknowledged after all drives have got its targets") {
+    drives d;
+    const unsigned lost = GENERATE(0u, 1u);
+    const bool moves = GENERATE(false, true); // drives that are enabled take it in the next cycle
+    if (moves) d.run_until_turning(1.0);
+    const auto have_targets = [&d, lowest = moves ? 10'100 : 1] {
+        for (std::size_t i = 0; i != joints; ++i)
+            if (std::abs(d.motor(i).values.target_velocity) < lowest) return false;
+        return true;
+    };
+    const auto number = d.turn(3.0);
+    std::optional<bool> had_targets;
+    d.on_message = [&] {
+        if (!had_targets && d.answer(number) == jaus::ack_nak::ack) had_targets = have_targets();
+    };
+    d.run_until([&] { return d.part.group().has_targets(); });
+    CHECK(!have_targets());
+    d.frames_to_lose = lost;
+    d.run_until([&] { return had_targets.has_value(); }, 20ms);
+    CHECK(had_targets == true);
+}
+
+TEST_CASE("each drive gets the period of the ring as its interpolation time before it comes to OP") {
+    drives d;
+    for (std::size_t i = 0; i != joints; ++i) {
+        CHECK(d.motor(i).values.interpolation_time == 2); // 2 ms; the default is 1 ms
+        CHECK(d.motor(i).values.interpolation_index == -3);
+    }
+    d.devices[3].connected = false;
+    d.run_until([&] { return d.watcher.lost != 0; }, 200ms);
+    d.motor(3).values.interpolation_time = 7;
+    d.devices[3].connected = true;
+    d.run_until([&] { return d.unit().state() == primary_status_code::ready; });
+    CHECK(d.motor(3).values.interpolation_time == 2);
+}
+
+TEST_CASE("a drive that does not keep its interpolation time does not come to OP") {
+    drives d;
+    d.devices[3].connected = false;
+    d.run_until([&] { return d.watcher.lost != 0; }, 200ms);
+    d.on_step = [&] { d.motor(3).values.interpolation_time = 7; };
+    d.devices[3].connected = true;
+    d.run_until([&] { return d.bring_up_error(3).code == jauscat::ethercat::master_errc::object_not_kept; });
+    CHECK(d.devices[3].slave.state() == jauscat::ethercat::al_state::pre_op);
+}
+
+TEST_CASE("Set Joint Motion is refused, and the command in force stays") {
+    drives d;
+    d.run_until_turning(2.0);
+    const std::array<jaus::joint_motion, joints> still{};
+    const std::array<jaus::joint_motion_pose, 1> poses{{{.pose_time = 1.0, .joint = still}}};
+    const auto number = d.tell(jaus::set_joint_motion{.number_of_joints = joints, .pose = poses});
+    d.run_until([&] { return d.answer(number).has_value(); }, 1s);
+    CHECK(d.answer(number) == jaus::ack_nak::nak);
+    for (std::size_t i = 0; i != joints; ++i) CHECK(std::abs(d.motor(i).velocity()) == Approx(20'000).margin(200));
+}
+
 TEST_CASE("an emergency brings six drives to rest, and is acknowledged then") {
     drives d;
     d.run_until_turning(2.0);
@@ -186,6 +260,18 @@ TEST_CASE("a drive's fault is the component's failure, until it is reset") {
     d.run_until([&] { return d.watcher.ended_faults == 1; }, 2s);
     d.run_until([&] { return d.unit().state() != primary_status_code::failure; }, 2s);
     CHECK(d.all_at_rest());
+}
+
+TEST_CASE("drives that are silent for less than their time-out move on") {
+    drives d;
+    d.run_until_turning(2.0);
+    d.frames_to_lose = 8; // 16 ms
+    d.run_until([&] { return d.frames_to_lose == 0; }, 100ms);
+    d.run(20ms);
+    CHECK(d.watcher.lost == 0);
+    CHECK(d.watcher.faults.empty());
+    CHECK(d.unit().state() == primary_status_code::ready);
+    for (std::size_t i = 0; i != joints; ++i) CHECK(std::abs(d.motor(i).velocity()) == Approx(20'000).margin(200));
 }
 
 TEST_CASE("a drive that is lost brings the others to rest") {

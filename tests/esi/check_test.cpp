@@ -2,6 +2,9 @@
 #include "esi/sample.hpp"
 #include "support/catch.hpp"
 #include <jauscat/esi/check_esi.hpp>
+#include <jauscat/esi/requirements.hpp>
+
+#include <pugixml.hpp>
 
 #include <sstream>
 

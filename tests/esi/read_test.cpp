@@ -2,6 +2,7 @@
 #include "esi/sample.hpp"
 #include "support/catch.hpp"
 #include <jauscat/esi/read_esi.hpp>
+#include <jauscat/esi/text_values.hpp>
 
 #include <fstream>
 

@@ -3,6 +3,7 @@
 #include <jauscat/bridge/object_list.hpp>
 #include <jauscat/esi/make_device.hpp>
 #include <jauscat/esi/write_esi.hpp>
+#include <jauscat/schema/ethercat/data_types.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>

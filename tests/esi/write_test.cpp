@@ -1,6 +1,7 @@
 // The ESI document, literally.
 #include "esi/sample.hpp"
 #include "support/catch.hpp"
+#include <jauscat/esi/text_values.hpp>
 
 using namespace jauscat;
 

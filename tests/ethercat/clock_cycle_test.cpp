@@ -68,8 +68,11 @@ class cycles {
     }
     void cycle(bool loses_clock_frame = false, bool follows = true) {
         auto& clock = clocks.front();
-        bench.now = std::max(bench.now, due_ + duration{jitter_(random_)});
-        const auto size = clock.next_frame(buffer, bench.now);
+        const auto at = std::max(bench.now, due_ + duration{jitter_(random_)} + (is_busy ? preempted() : duration{}));
+        while (at - due_ > 500us) due_ += 1ms; // cycles that are left out, see cycle_timer
+        bench.now = at;
+        const auto size = clock.next_frame(buffer, at, at - due_);
+        if (is_busy && one_of(20)) bench.now += duration{up_to(300'000)}; // which nobody knows
         if (size != 0) {
             const auto frame = std::span{buffer}.first(size);
             bench.send(frame);
@@ -83,6 +86,7 @@ class cycles {
         due_ += duration{static_cast<std::int64_t>(period)};
         worst_spread = std::max(worst_spread, bench.spread());
     }
+    bool is_busy{}; // the machine: the master is preempted, before it looks at the time and after
     [[nodiscard]] std::uint64_t missed() {
         std::uint64_t sum = 0;
         for (std::size_t i = 0; i != count_; ++i) sum += bench.device(i).sync_missed();
@@ -95,6 +99,14 @@ class cycles {
     std::int64_t worst_spread{};
 
   private:
+    [[nodiscard]] std::int64_t up_to(std::int64_t most) {
+        return std::uniform_int_distribution{std::int64_t{}, most}(random_);
+    }
+    [[nodiscard]] bool one_of(std::int64_t count) { return up_to(count - 1) == 0; }
+    [[nodiscard]] duration preempted() {
+        return duration{one_of(30) ? up_to(4'000'000) : one_of(4) ? up_to(400'000) : 0};
+    }
+
     double drift_;
     std::uniform_int_distribution<std::int64_t> jitter_;
     std::mt19937 random_{5};
@@ -151,6 +163,46 @@ TEST_CASE("slaves miss outputs in cycles that do not follow the reference clock"
     ring.all_to(al_state::op);
     for (int i = 0; i != 10'000; ++i) ring.cycle(false, false);
     CHECK(ring.missed() > 4);
+}
+
+TEST_CASE("cycles of a busy machine lock, and tell how late their frames are") {
+    const auto slaves = test::line_of(8, 26);
+    cycles ring{slaves, 60, 10us};
+    ring.set_up();
+    ring.is_busy = true;
+    auto& clock = ring.clocks.front();
+    int cycles_to_lock = 0;
+    while (!clock.control().is_locked() && cycles_to_lock != 5'000) {
+        ring.cycle();
+        ++cycles_to_lock;
+    }
+    CAPTURE(cycles_to_lock);
+    REQUIRE(clock.control().is_locked());
+    CHECK(cycles_to_lock < 2'500);
+    for (int i = 0; i != 3'000; ++i) {
+        ring.cycle();
+        REQUIRE(clock.control().is_locked());
+    }
+    CHECK(std::chrono::abs(clock.control().mean_error()) < 8us);
+    CHECK(clock.control().deviation() > 30us);
+    CHECK(clock.control().drift() == Approx(60'000 - slaves[0].error.drift).margin(15'000));
+    // What the frames are late is no difference between the slaves.
+    ring.worst_spread = 0;
+    for (int i = 0; i != 1'000; ++i) ring.cycle();
+    CHECK(ring.worst_spread < 100);
+    ring.is_busy = false;
+    for (int i = 0; i != 2'000; ++i) ring.cycle();
+    CHECK(clock.control().deviation() < 10us);
+}
+
+TEST_CASE("the limits of a period above 1 ms are as many times wider") {
+    constexpr auto of_20_ms = cycle_control_options::of_period(20ms);
+    STATIC_REQUIRE(of_20_ms.phase == 10ms);
+    STATIC_REQUIRE(of_20_ms.lock_within == 160us);
+    STATIC_REQUIRE(of_20_ms.outlier == 3ms);
+    constexpr auto of_250_us = cycle_control_options::of_period(250us);
+    STATIC_REQUIRE(of_250_us.phase == 125us);
+    STATIC_REQUIRE(of_250_us.lock_within == cycle_control_options{}.lock_within);
 }
 
 TEST_CASE("lost frames are coasted over") {

@@ -167,6 +167,49 @@ TEST_CASE("an SII that stays busy or fails is reported, and a slow one is waited
     CHECK(failing.bring_up().error() == master_error{.code = master_errc::sii_error, .sii_word = 8});
 }
 
+TEST_CASE("after a failed SII read the slave's application has the SII again") {
+    const auto owner = [](bench& b) {
+        bytes frame(max_frame_size);
+        frame_builder builder{frame};
+        builder.read(0x1001, esc_registers::sii_owner);
+        b.device.process(*builder.finish());
+        frame_view view;
+        REQUIRE(view.parse(frame));
+        return to_hex((*view.begin()).data);
+    };
+    const auto fail = [](bench& b) {
+        b.on_way_back(0x0502, [](const auto& d) {
+            if (d.header.cmd == command::fprd) put(d, "0020");
+            return true;
+        });
+    };
+    const master_error failed{.code = master_errc::sii_error, .sii_word = 8};
+    bench b;
+    fail(b);
+    CHECK(b.bring_up().error() == failed);
+    CHECK(owner(b) == "01");
+    b.link.on_way_back = {};
+    const bring_up foreign{0, 0x1001, {.product = 99}};
+    CHECK(b.link.run(b.master, foreign).error().code == master_errc::wrong_identity);
+    CHECK(owner(b) == "01");
+
+    REQUIRE(b.bring_up());
+    fail(b);
+    CHECK(b.link.run(b.master, identify{0x1001}).error() ==
+          master_error{.code = master_errc::sii_error, .sii_word = 4});
+    CHECK(owner(b) == "01");
+    CHECK(b.link.run(b.master, configure{0x1001}).error().code == master_errc::sii_error);
+    CHECK(owner(b) == "01");
+    // It is gone before it gets the SII: the first error counts.
+    b.on_way_back(0x0502, [&](const auto& d) {
+        if (d.header.cmd != command::fprd) return true;
+        put(d, "0020");
+        b.device.power_on();
+        return true;
+    });
+    CHECK(b.link.run(b.master, configure{0x1001}).error().code == master_errc::sii_error);
+}
+
 TEST_CASE("a slave with an unusable mailbox is refused, and one without CoE gets no SDO") {
     CHECK(bench{{.mailbox_out_size = 0}}.bring_up().error() == master_error{.code = master_errc::no_mailbox});
     CHECK(bench{{.mailbox_in_size = 1487}}.bring_up().error() == master_error{.code = master_errc::no_mailbox});

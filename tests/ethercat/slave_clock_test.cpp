@@ -266,6 +266,57 @@ TEST_CASE("a SYNC0 that finds old outputs is counted, and several in a row end O
     CHECK(b.device.sync_missed() == 5);
 }
 
+TEST_CASE("objects 1C32h and 1C33h say how a slave is synchronized, and what it has missed") {
+    auto description = synchronous;
+    description.synchronization = true;
+    clock_bench b{description};
+    const auto read = [&](std::uint8_t subindex) {
+        std::array<std::byte, 8> value{};
+        const auto got = b.dictionary.read(0x1C32, subindex, value);
+        CHECK(got.error == abort_code::none);
+        return to_hex(std::span{value}.first(got.size));
+    };
+    CHECK(read(0) == "06");
+    b.dictionary.show(b.device.synchronization());
+    CHECK(read(0) == "20");
+    CHECK(read(1) == "00 00");
+    b.to_safe_op();
+    b.write(0x09A0, "40420f00");
+    b.write(esc_registers::dc_start_time, {500'000});
+    b.write(0x0981, "03");
+    b.state("0400");
+    b.state("0800");
+    b.send(command::bwr, 0x1C00, from_hex("0102"));
+    b.pass(1ms);
+    b.device.pass_time(b.now);
+    CHECK(read(1) == "02 00");
+    CHECK(read(2) == "40 42 0f 00");
+    CHECK(read(10) == read(2));
+    CHECK(read(4) == "0d 00");
+    CHECK(read(11) == "00 00");
+    CHECK(read(32) == "00");
+    b.pass(2ms);
+    b.device.pass_time(b.now);
+    CHECK(read(11) == "02 00");
+    CHECK(read(32) == "01");
+    b.send(command::bwr, 0x1C00, from_hex("0102"));
+    b.pass(1ms);
+    b.device.pass_time(b.now);
+    CHECK(read(11) == "02 00");
+    CHECK(read(32) == "00");
+
+    std::array<std::byte, 8> value{};
+    CHECK(b.dictionary.read(0x1C32, 14, value).error == abort_code::no_subindex);
+    CHECK(b.dictionary.read(0x1C33, 1, value).error == abort_code::no_object); // it has no inputs
+    const auto flag = b.dictionary.describe(0x1C32, 32);
+    REQUIRE(flag);
+    CHECK(flag->name == "Sync error");
+    CHECK(flag->data_type == data_types::boolean);
+    CHECK(b.dictionary.describe(0x1C32, 11)->name == "SM event missed");
+    CHECK(b.dictionary.describe(0x1C32)->highest_subindex == 32);
+    CHECK(!b.dictionary.describe(0x1C32, 20));
+}
+
 TEST_CASE("a slave that needs SYNC0 refuses SAFE-OP without it, and OP before the first one") {
     auto description = synchronous;
     description.needs_sync = true;

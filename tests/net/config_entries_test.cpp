@@ -215,6 +215,120 @@ TEST_CASE("invalid masters are refused with their line") {
           "test.xml:5: the interface is that of the <ethercat> in line 3; give each master its own");
 }
 
+TEST_CASE("a master may name its slaves, what identifies them, and the objects to write at their start") {
+    const auto b = system_b("<ethercat interface='eth0'><slave name='shoulder' position='0' vendor='0x2' product='2' "
+                            "revision='3' esi='drive.xml'><sdo index='0x6060' type='SINT' value='-1'/>"
+                            "<sdo index='24722' subindex='1' type='UINT' value='0x102'/></slave>"
+                            "<slave name='tool' alias='17' identification='0x12' serial='7' optional='yes'/>"
+                            "</ethercat><component id='56' slaves=' shoulder  tool'/><component id='33'/>",
+                            "2.2.0.0");
+    REQUIRE(b.ethercat->slaves.size() == 2);
+    const auto& shoulder = b.ethercat->slaves[0];
+    CHECK(shoulder.name == "shoulder");
+    CHECK(shoulder.position == 0);
+    CHECK_FALSE(shoulder.alias);
+    CHECK(shoulder.vendor == 2U);
+    CHECK(shoulder.product == 2U);
+    CHECK(shoulder.revision == 3U);
+    CHECK_FALSE(shoulder.serial);
+    CHECK(shoulder.esi == "drive.xml");
+    CHECK_FALSE(shoulder.is_optional);
+    REQUIRE(shoulder.start_up.size() == 2);
+    CHECK(shoulder.start_up[0].index == 0x6060);
+    CHECK(shoulder.start_up[0].subindex == 0);
+    CHECK(shoulder.start_up[0].data == std::vector{std::byte{0xFF}});
+    CHECK(shoulder.start_up[1].index == 0x6092);
+    CHECK(shoulder.start_up[1].subindex == 1);
+    CHECK(shoulder.start_up[1].data == std::vector{std::byte{0x02}, std::byte{0x01}});
+    const auto* const tool = b.ethercat->find("tool");
+    REQUIRE(tool != nullptr);
+    CHECK(tool->alias == 17);
+    CHECK(tool->identification == 0x12);
+    CHECK(tool->serial == 7U);
+    CHECK(tool->is_optional);
+    CHECK(b.ethercat->find("elbow") == nullptr);
+    CHECK(b.components.at(0).slaves == std::vector<std::string>{"shoulder", "tool"});
+    CHECK(b.components.at(1).slaves.empty());
+}
+
+TEST_CASE("the values of objects are given by the type") {
+    const auto bytes_of = [](const std::string& type, const std::string& value) {
+        const auto b = system_b("<ethercat interface='eth0'><slave name='x' position='0'><sdo index='1' type='" + type +
+                                    "' value='" + value + "'/></slave></ethercat>",
+                                "2.2.0.0");
+        std::string hex;
+        for (const auto each : b.ethercat->slaves.at(0).start_up.at(0).data) {
+            constexpr std::string_view digits = "0123456789abcdef";
+            hex += digits[std::to_integer<std::size_t>(each) / 16];
+            hex += digits[std::to_integer<std::size_t>(each) % 16];
+        }
+        return hex;
+    };
+    CHECK(bytes_of("BOOL", "1") == "01");
+    CHECK(bytes_of("SINT", "-128") == "80");
+    CHECK(bytes_of("INT", "-2") == "feff");
+    CHECK(bytes_of("DINT", "-2147483648") == "00000080");
+    CHECK(bytes_of("LINT", "1") == "0100000000000000");
+    CHECK(bytes_of("USINT", "0xFF") == "ff");
+    CHECK(bytes_of("UINT", "65535") == "ffff");
+    CHECK(bytes_of("UDINT", "0x01020304") == "04030201");
+    CHECK(bytes_of("ULINT", "0x0102030405060708") == "0807060504030201");
+    CHECK(bytes_of("REAL", "1.5") == "0000c03f");
+    CHECK(bytes_of("LREAL", "-2") == "00000000000000c0");
+    CHECK(bytes_of("STRING", "ab") == "6162");
+    CHECK(bytes_of("OCTET_STRING", "00fF7a") == "00ff7a");
+}
+
+TEST_CASE("invalid slaves are refused with their line") {
+    const auto in_ethercat = [](const std::string& lines) {
+        return complaint_in_b("<ethercat interface='eth0'>\n" + lines + "</ethercat>", "2.2.0.0");
+    };
+    const auto object = [&](const std::string& attributes) {
+        return in_ethercat("<slave name='x' position='0'>\n<sdo " + attributes + "/></slave>");
+    };
+    CHECK(in_ethercat("<slave name='x' position='0'/>") == "accepted");
+    CHECK(in_ethercat("<slave position='0'/>") == "test.xml:5: this <slave> needs <name>");
+    CHECK(in_ethercat("<slave name='x y' position='0'/>") ==
+          "test.xml:5: the name \"x y\" of a slave has no blanks; write it as one word");
+    CHECK(in_ethercat("<slave name='x'/>") ==
+          "test.xml:5: nothing identifies the slave \"x\"; give its position, alias, identification, vendor, product, "
+          "serial or esi");
+    CHECK(in_ethercat("<slave name='x' alias='0'/>") ==
+          "test.xml:5: alias \"0\" is not a station alias, 1 to 65535, decimal or hexadecimal (0x10)");
+    CHECK(in_ethercat("<slave name='x' vendor='0x100000000'/>") ==
+          "test.xml:5: vendor \"0x100000000\" is not a vendor ID, 0 to 4294967295, decimal or hexadecimal (0x10)");
+    CHECK(in_ethercat("<slave name='x' position='0'/>\n<slave name='x' position='1'/>") ==
+          "test.xml:6: the slave \"x\" has the name of the <slave> in line 5; give each its own");
+    CHECK(in_ethercat("<slave name='x' position='0'/>\n<slave name='y' position='0'/>") ==
+          "test.xml:6: the slave \"y\" has the position of the <slave> in line 5; give each its own");
+    CHECK(in_ethercat("<slave name='x' alias='1'/>\n<slave name='y' alias='1'/>") ==
+          "test.xml:6: the slave \"y\" has the alias of the <slave> in line 5; give each its own");
+    CHECK(object("index='0x6060' type='SINT' value='9'") == "accepted");
+    CHECK(object("type='SINT' value='9'") == "test.xml:6: this <sdo> needs <index>");
+    CHECK(object("index='0' type='SINT' value='9'") ==
+          "test.xml:6: index \"0\" is not an object's index, 1 to 65535, decimal or hexadecimal (0x10)");
+    CHECK(object("index='0x6060' type='SINT' value='128'") ==
+          "test.xml:6: value \"128\" is not of the type SINT, -128 to 127, decimal or hexadecimal (0x10)");
+    CHECK(object("index='0x6060' type='BOOL' value='2'") == "test.xml:6: value \"2\" is not a BOOL, 0 or 1");
+    CHECK(object("index='0x6060' type='REAL' value='x'") == "test.xml:6: value \"x\" is not a number of the type REAL");
+    CHECK(object("index='0x6060' type='OCTET_STRING' value='012'") ==
+          "test.xml:6: value \"012\" is not pairs of hexadecimal digits");
+    CHECK(object("index='0x6060' type='short' value='1'") ==
+          "test.xml:6: type \"short\" is unknown; use BOOL, SINT, INT, DINT, LINT, USINT, UINT, UDINT, ULINT, REAL, "
+          "LREAL, STRING or OCTET_STRING");
+    CHECK(object("index='0x6060' type='SINT' value='1' transition='IP'") != "accepted");
+    const auto behind = [](const std::string& slaves) {
+        return complaint_in_b("<ethercat interface='eth0'><slave name='x' position='0'/></ethercat>\n"
+                              "<component id='33' slaves='" +
+                                  slaves + "'/>",
+                              "2.2.0.0");
+    };
+    CHECK(behind("x") == "accepted");
+    CHECK(behind("y") == "test.xml:5: there is no <slave> \"y\" in the <ethercat> of this <system>");
+    CHECK(behind("x x") == "test.xml:5: the slave \"x\" is given twice; keep one");
+    CHECK(behind("") == "test.xml:5: slaves names no <slave>; name one, or remove it");
+}
+
 TEST_CASE("the root element may name its schema") {
     CHECK(complaint("<jausconfig xmlns:xsi='http://www.w3.org/2001/XMLSchema-instance' "
                     "xsi:noNamespaceSchemaLocation='JausConfig.xsd' thissystem='a'>" +
@@ -250,6 +364,8 @@ TEST_CASE("a file with every option is read completely") {
     CHECK(config.find("ocu")->any_source_port);
     CHECK(config.find("ocu")->limits.messages == net::rate{2000, 200});
     CHECK(config.masters_of("arm").size() == 2);
+    CHECK(config.find("arm")->ethercat->slaves.size() == 3);
+    CHECK(config.find("arm")->components.at(0).slaves.size() == 2);
 }
 
 TEST_CASE("a file with 250 subsystems of 254 nodes is read quickly, with the lines of all") {

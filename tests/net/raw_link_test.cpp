@@ -10,6 +10,7 @@
 #include <boost/asio/io_context.hpp>
 
 #include <filesystem>
+#include <linux/if_packet.h>
 #include <string>
 
 using namespace jauscat;

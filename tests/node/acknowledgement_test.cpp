@@ -466,6 +466,16 @@ TEST_CASE("a program restarted with the same numbers is obeyed as soon as that i
     REQUIRE(a.handed_on == 5);
 }
 
+TEST_CASE("what a restarted program has sent since is not forgotten when it is known to have restarted") {
+    arm a;
+    REQUIRE(a.hear(0x0405, 10, 1, 0ms) == received::handed_on);
+    REQUIRE(a.hear(0x0405, 11, 1, 10ms) == received::handed_on);
+    REQUIRE(a.hear(0x0405, 9, 2, 100ms) == received::handed_on);  // it has restarted
+    REQUIRE(a.hear(0x0005, 10, 0, 120ms) == received::handed_on); // which shows from now on
+    REQUIRE(a.hear(0x0405, 9, 2, 155ms) == received::repeated);   // a copy that was late
+    REQUIRE(a.hear(0x0405, 11, 1, 160ms) == received::handed_on);
+}
+
 TEST_CASE("a repeated Set Emergency and a repeated query are executed again") {
     arm a;
     for (const std::uint16_t code : {std::uint16_t{0x0006}, std::uint16_t{0x2002}})

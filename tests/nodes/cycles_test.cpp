@@ -144,6 +144,20 @@ TEST_CASE("cyclic measures its cycles while it uploads objects") {
     CHECK(error["text"].get<std::string>().find("--watchdog must be 1 to 6553") != std::string::npos);
 }
 
+TEST_CASE("cyclic follows the reference clock of a bus, however busy the machine is") {
+    robot r;
+    r.start_bus(r.link + words{"--slaves", "3", "--outputs", "2", "--inputs", "2", "--clock", "64", "--drift", "100"});
+    auto& one = r.start_program("cyclic", words{"--ethercat-port", std::to_string(r.slave_port), "--period",
+                                                is_slow() ? "20000" : "2000", "--clocks", "--frame-timeout", "1000",
+                                                "--watchdog", "5000", "--seconds", "600"});
+    CHECK(one.wait_for("clock_set_up", {{"station", 3}})["delay_ns"] > 0);
+    const auto locked = one.wait_for("clocks_locked");
+    CHECK(locked["drift_ppb"] > 0); // the first clock is slow by 100 ppm
+    one.wait_for("ready", {{"slaves", 3}});
+    one.signal(SIGINT);
+    CHECK(one.wait_for("measured").contains("clock_error_median_us"));
+}
+
 TEST_CASE("cyclic reports when slaves leave OP because another master resets them") {
     robot r;
     r.start_bus(r.link + words{"--slaves", "2", "--outputs", "2", "--inputs", "2"});

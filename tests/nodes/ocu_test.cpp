@@ -248,7 +248,7 @@ TEST_CASE("the demonstration runs, also while another one does") {
     for (const auto* table : {"seed", "self-contained"}) {
         auto& demo = start_demo({"--table", table});
         REQUIRE(demo.wait() == 0);
-        CHECK(demo.has_output("demo: OK: 17 steps as expected"));
+        CHECK(demo.has_output("demo: OK: 20 steps as expected"));
         CHECK(std::ranges::count(demo.output(), '\n') <= 40);
         CHECK_FALSE(demo.has_output("\033")); // no terminal, no colours
     }

@@ -10,23 +10,16 @@ void arm_unit::power_on() {
     emergency_ = false;
     aborts_ = 0;
     denies_objects_ = false;
-    slave_.power_on();
+    slave_->power_on();
     moved_(0);
 }
 
-void arm_unit::pass(std::span<std::byte> frame, time now, bool frozen) {
-    slave_.pass(frame);
-    if (frozen) return;
-    on_time(now);
-}
-
-// An application works whether frames pass or not.
 void arm_unit::on_time(time now) {
-    application_->set_station(slave_.station_address());
-    slave_.work();
-    slave_.on_time(jauscat::time_point{now});
-    watch_->look(slave_, jauscat::time_point{now}); // first: the inputs say what is in force then
-    process_data_->work(slave_);
+    application_->set_station(slave_->station_address());
+    slave_->work();
+    slave_->on_time(jauscat::time_point{now});
+    watch_->look(*slave_, jauscat::time_point{now}); // first: the inputs say what is in force then
+    process_data_->work(*slave_);
 }
 
 ethercat::abort_code arm_unit::write(std::uint16_t index, std::uint8_t subindex, bytes data) noexcept {
@@ -47,7 +40,7 @@ ethercat::object_read arm_unit::read(std::uint16_t index, std::uint8_t subindex,
 
 void arm_unit::note_emergency(std::uint16_t index, std::uint8_t subindex, bytes data) noexcept {
     std::array<std::byte, delivery::translator::max_message_size> message{};
-    const bridging::slave_identity self{.subsystem = subsystem, .station = slave_.station_address()};
+    const bridging::slave_identity self{.subsystem = subsystem, .station = slave_->station_address()};
     const auto restored = delivery::message_of({self.station, index, subindex, data}, self, message);
     if (!restored) return;
     const auto code = jaus::split(*restored).header.command_code;

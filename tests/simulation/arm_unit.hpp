@@ -4,7 +4,7 @@
 #include "arm_application.hpp"
 #include "arm_process_data.hpp"
 #include "arm_watch.hpp"
-#include "simulation/generator.hpp"
+#include "simulation/device.hpp"
 #include "simulation/messages.hpp"
 #include "support/arm_slave.hpp"
 #include <jauscat/bridge/listed_objects.hpp>
@@ -17,28 +17,27 @@
 namespace simulation {
 
 namespace bridging = jauscat::bridging;
-namespace ethercat = jauscat::ethercat;
 
 /// What the bridge and the arms translate by.
 using bridge_table = jauscat::translation::seed_table;
 
 /// The arm and its slave. `moved` hears of the efforts in force whenever they are set; `emergency` of its own
 /// emergency.
-class arm_unit {
+class arm_unit final : public device {
   public:
     static constexpr std::uint8_t subsystem = 2;
 
-    explicit arm_unit(std::function<void(command_number)> moved) : moved_{std::move(moved)} { power_on(); }
-    arm_unit(const arm_unit&) = delete;
-    arm_unit& operator=(const arm_unit&) = delete;
+    arm_unit(std::uint32_t serial, std::function<void(command_number)> moved) : moved_{std::move(moved)} {
+        description_.serial = serial;
+        slave_.emplace(description_, dictionary_, ethercat::coe_options{.transfer_memory = memory_});
+        power_on();
+    }
 
-    /// As after power-on: what it did and knew is gone.
-    void power_on();
-    /// A frame passes. `frozen`: the controller alone works, the application does not.
-    void pass(std::span<std::byte> frame, time now, bool frozen);
-    void on_time(time now);
+    void power_on() override;
+    void on_time(time now) override;
 
-    [[nodiscard]] ethercat::slave& slave() noexcept { return slave_; }
+    [[nodiscard]] ethercat::slave& slave() noexcept override { return *slave_; }
+    [[nodiscard]] const ethercat::slave& slave() const noexcept override { return *slave_; }
     [[nodiscard]] bool in_emergency() const noexcept { return emergency_; }
     /// The next writes to objects are aborted so.
     void abort_from_now(unsigned writes, ethercat::abort_code code) noexcept {
@@ -80,7 +79,7 @@ class arm_unit {
     bridging::listed_objects objects_{application::objects, *this, bridging::size_rule::up_to_largest};
     ethercat::standard_objects dictionary_{description_, objects_};
     std::array<std::byte, 4096> memory_{};
-    ethercat::slave slave_{description_, dictionary_, {.transfer_memory = memory_}};
+    std::optional<ethercat::slave> slave_{};
 };
 
 } // namespace simulation

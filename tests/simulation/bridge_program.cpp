@@ -1,5 +1,7 @@
 #include "simulation/bridge_program.hpp"
 
+#include "simulation/joint_parts.hpp"
+
 namespace simulation {
 namespace {
 
@@ -13,20 +15,13 @@ jaus::address unit_id(const place& at) {
 
 } // namespace
 
-/// One slave, its component and its node.
+/// A component, its slaves and its node.
 struct bridge_program::unit {
-    unit(bridge_program& program, std::size_t i, const bridging::bridge_options& options,
-         const bridging::observer& watcher)
-        : identity{.subsystem = arm_unit::subsystem, .station = program.wire_[i].station},
-          front{
-              {.position = static_cast<std::uint16_t>(i), .identity = identity, .cyclic = program.settings_.cyclic[i]},
-              exchange,
-              options,
-              orders,
-              watcher},
-          component{program.settings_.cyclic[i]
-                        ? bridging::component{unit_id(program.places_[i]), front, efforts, core(options)}
-                        : bridging::component{unit_id(program.places_[i]), front, core(options)}},
+    unit(bridge_program& program, std::size_t i, const bridging::observer& watcher)
+        : what{program.settings_.units[i]},
+          options{program.settings_.options(what)},
+          part{what.axes != 0 ? make_joint_part(what.joints(), what.axes) : nullptr},
+          component{make_component(program, i, watcher)},
           watched{component, nothing_more},
           node{configuration_of(program.places_, i),
                {},
@@ -37,15 +32,33 @@ struct bridge_program::unit {
         node.add(watched, nothing_more);
     }
 
-    static jaus::component_options core(const bridging::bridge_options& options) {
-        return {.control = {.timeout = options.control_timeout}};
+    bridging::component make_component(bridge_program& program, std::size_t i, const bridging::observer& watcher) {
+        for (const std::size_t slave : what.slaves) {
+            const bridging::slave_identity identity{.subsystem = arm_unit::subsystem,
+                                                    .station = program.wire_[slave].station};
+            bridging::slave_options made{
+                .position = static_cast<std::uint16_t>(slave), .identity = identity, .cyclic = what.cyclic};
+            if (program.settings_.checks_serials) made.expected.serial = ring::serial_of(slave);
+            exchanges.emplace_back(identity);
+            orders.emplace_back();
+            fronts.emplace_back(made, exchanges.back(), options, orders.back(), watcher);
+            group.push_back(&fronts.back());
+        }
+        const auto id = unit_id(program.places_[i]);
+        const jaus::component_options core{.control = {.timeout = options.control_timeout}};
+        if (part) return bridging::component{id, group, *part, core};
+        if (what.cyclic) return bridging::component{id, fronts.front(), efforts, core};
+        return bridging::component{id, fronts.front(), core};
     }
 
-    bridging::slave_identity identity;
+    const unit_settings& what;
+    bridging::bridge_options options;
     bridging::wrench_effort_part efforts{};
-    bridging::exchange_under<bridge_table> exchange{identity};
-    bridging::order_memory<16, 256> orders{};
-    bridging::slave_front front;
+    std::unique_ptr<bridging::process_part> part;
+    std::deque<bridging::exchange_under<bridge_table>> exchanges{};
+    std::deque<bridging::order_memory<16, 256>> orders{};
+    std::deque<bridging::slave_front> fronts{};
+    std::vector<bridging::slave_front*> group{};
     bridging::component component;
     watched_component<bridging::component, const decltype(nothing_more)> watched;
     net::node_machine node;
@@ -55,7 +68,11 @@ struct bridge_program::unit {
 
 /// What a life of the program has.
 struct bridge_program::life_data {
-    explicit life_data(bridge_program& program) : mine{program}, options{program.settings_.options()} {}
+    // The ring has the shortest times of all.
+    explicit life_data(bridge_program& program)
+        : mine{program},
+          options{program.settings_.options(
+              *std::ranges::min_element(program.settings_.units, {}, &unit_settings::limit))} {}
     void changed_state(const bridging::component& who, jaus::primary_status_code from, jaus::primary_status_code to) {
         mine.model_.enters(account(who), from, to);
     }
@@ -84,29 +101,43 @@ struct bridge_program::life_data {
 bridge_program::bridge_program(world& w, network& n, model& m, const std::vector<place>& places, ring& wire,
                                const bridge_settings& what)
     : process{w, n, "bridge"}, model_{m}, places_{places}, wire_{wire}, settings_{what} {
-    for (std::size_t i = 0; i != what.cyclic.size(); ++i) {
+    places_of_slaves_.resize(wire.size());
+    for (std::size_t i = 0; i != what.units.size(); ++i) {
+        const auto& one = what.units[i];
         if (i != 0) side_ports_.push_back(std::make_unique<side_port>(*this, n));
-        accounts_.push_back(m.add_actuator(*this, unit_id(places[i]), wire[i].number, what.limit()));
-        m.stands_behind(accounts_.back(), static_cast<std::uint8_t>(i), wire, i, what.limit());
+        accounts_.push_back(m.add_actuator(*this, unit_id(places[i]), wire[one.slaves.front()].number, one.limit));
+        std::vector<axis_account> axes;
+        for (const std::size_t slave : one.slaves) {
+            places_of_slaves_[slave] = {accounts_.back(), axes.size()};
+            for (std::size_t axis = 0; axis != std::max<std::size_t>(one.axes, 1); ++axis)
+                axes.push_back({.slave = slave, .axis = axis});
+        }
+        m.stands_behind(accounts_.back(), static_cast<std::uint8_t>(i), wire, std::move(axes), what.times(one));
     }
 }
 bridge_program::~bridge_program() = default;
 
-time bridge_settings::limit() const {
-    const bool all_cyclic = std::ranges::all_of(cyclic, [](bool one) { return one; });
-    return all_cyclic ? bridging::at_rest_in_cycles : bridging::at_rest_by_mailbox;
+bridging::bridge_options bridge_settings::options(const unit_settings& of) const {
+    const bool any_cyclic = std::ranges::any_of(units, [](const unit_settings& one) { return one.cyclic; });
+    return bridging::at_rest_within(of.limit, any_cyclic ? period : time{});
 }
 
-bridging::bridge_options bridge_settings::options() const {
-    const bool any_cyclic = std::ranges::any_of(cyclic, [](bool one) { return one; });
-    return bridging::at_rest_within(limit(), any_cyclic ? period : time{});
+ring_times bridge_settings::times(const unit_settings& of) const {
+    constexpr auto between_checks = milliseconds{10};
+    if (of.axes == 0)
+        return {.at_rest_in = of.limit,
+                .noticed_in = of.limit + milliseconds{150},
+                .fresh_for = of.limit,
+                .two_cycles = of.cyclic ? 2 * period : time{}};
+    const time limit = options(of).longest_silence + 2 * period + between_checks;
+    return {.at_rest_in = of.limit, .noticed_in = limit, .fresh_for = limit, .two_cycles = 2 * period};
 }
 
 void bridge_program::boot() {
     data_ = std::make_unique<life_data>(*this);
     data_->bus.emplace(data_->options);
     for (std::size_t i = 0; i != accounts_.size(); ++i) {
-        auto& one = data_->units.emplace_back(*this, i, data_->options, data_->observer());
+        auto& one = data_->units.emplace_back(*this, i, data_->observer());
         one.watched.seen_in = [this, &one, i](const jaus::header& head) {
             model_.arrives(accounts_[i], std::exchange(one.current_message, 0), head);
         };
@@ -114,7 +145,7 @@ void bridge_program::boot() {
         one.watched.seen_lost = [this, i](const jaus::address& who) { model_.hears_lost(accounts_[i], who); };
         one.watched.seen_done = [this, i] { model_.handled(accounts_[i]); };
         model_.starts(accounts_[i]);
-        static_cast<void>(data_->bus->add(one.front));
+        for (auto& front : one.fronts) static_cast<void>(data_->bus->add(front));
         one.stuck_since = world_.now();
         one.node.start(now());
     }
@@ -178,7 +209,10 @@ void bridge_program::put(bytes message) {
     }
 }
 
-void bridge_program::moved(std::size_t slave, command_number command) { model_.moves_to(accounts_[slave], command); }
+void bridge_program::moved(std::size_t slave, std::size_t axis, command_number command) {
+    const auto& [account, first_axis] = places_of_slaves_[slave];
+    model_.moves_to(account, first_axis + axis, command);
+}
 
 void bridge_program::act() {
     for (auto& one : data_->units) look_after(one);

@@ -1,4 +1,4 @@
-// The program with the bridge: a JAUS node for each slave, the components in front of them, and the ring.
+// The program with the bridge: components, a JAUS node for each, and the ring with their slaves.
 #pragma once
 
 #include "simulation/model.hpp"
@@ -14,7 +14,7 @@ namespace simulation {
 
 namespace bridging = jauscat::bridging;
 
-/// A slave's port on the network, which belongs to the bridge's process.
+/// A component's port on the network, which belongs to the bridge's process.
 class side_port final : public port_user {
   public:
     side_port(process& whose, network& n) : whose_{whose}, port_{n.add(*this)} {}
@@ -27,24 +27,32 @@ class side_port final : public port_user {
     std::uint8_t port_;
 };
 
+/// A component of a bridge: an arm of the examples, or an arm of drives.
+struct unit_settings {
+    std::vector<std::size_t> slaves{}; ///< of the ring
+    bool cyclic{};
+    std::size_t axes{}; ///< of each drive, 1 or 2; 0: it is no drive
+    time limit{};       ///< within which it is at rest after something is lost; robot_controller's defaults
+    [[nodiscard]] std::size_t joints() const noexcept { return slaves.size() * axes; }
+};
 /// What a bridge is made with.
 struct bridge_settings {
-    std::vector<bool> cyclic{}; ///< for each slave
+    std::vector<unit_settings> units{};
     time period{std::chrono::milliseconds{10}};
-    /// Within which an actuator is at rest after something is lost; robot_controller's defaults.
-    [[nodiscard]] time limit() const;
-    [[nodiscard]] bridging::bridge_options options() const;
+    bool checks_serials{}; ///< a slave at the place of another is not brought up
+    [[nodiscard]] bridging::bridge_options options(const unit_settings& of) const;
+    [[nodiscard]] ring_times times(const unit_settings& of) const;
 };
 
 class bridge_program final : public process, public frame_user {
   public:
-    /// The first places are those of the slaves' nodes; the ring has the slaves.
+    /// The first places are those of the components' nodes; the ring has the slaves.
     bridge_program(world& w, network& n, model& m, const std::vector<place>& places, ring& wire,
                    const bridge_settings& what);
     ~bridge_program() override;
 
-    /// The efforts of a slave are set.
-    void moved(std::size_t slave, command_number command);
+    /// The efforts of an axis of a slave are set.
+    void moved(std::size_t slave, std::size_t axis, command_number command);
     void frame_returns(bytes frame) override;
 
   protected:
@@ -73,6 +81,7 @@ class bridge_program final : public process, public frame_user {
     bridge_settings settings_;
     std::vector<std::unique_ptr<side_port>> side_ports_{};
     std::vector<std::uint8_t> accounts_{};
+    std::vector<std::pair<std::uint8_t, std::size_t>> places_of_slaves_{}; ///< account and first axis of each
     std::unique_ptr<life_data> data_{};
     std::array<std::byte, ethercat::max_frame_size> frame_{};
 };

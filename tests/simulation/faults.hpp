@@ -37,13 +37,20 @@ enum class fault : std::uint8_t {
     odd_watchdog,
     unknown_state,
     bridge_ended,
+    frame_doubled,
+    frame_damaged,
+    slaves_swapped,
+    station_doubled,
+    drive_fault,
+    drive_unpowered,
 };
-inline constexpr std::array<std::string_view, 25> fault_names{
-    "datagram-lost",     "datagram-doubled", "datagram-delayed", "network-parted", "process-killed",
-    "process-frozen",    "clock-leap",       "same-numbers",     "number-zero",    "message-doubled",
-    "kinds-mixed",       "body-malformed",   "mute-controller",  "frame-lost",     "frame-delayed",
-    "cable-out",         "slave-frozen",     "slave-restarted",  "slave-aborts",   "slave-falls-back",
-    "mailbox-recounted", "other-master",     "odd-watchdog",     "unknown-state",  "bridge-ended"};
+inline constexpr std::array<std::string_view, 31> fault_names{
+    "datagram-lost",   "datagram-doubled", "datagram-delayed",  "network-parted",  "process-killed",  "process-frozen",
+    "clock-leap",      "same-numbers",     "number-zero",       "message-doubled", "kinds-mixed",     "body-malformed",
+    "mute-controller", "frame-lost",       "frame-delayed",     "cable-out",       "slave-frozen",    "slave-restarted",
+    "slave-aborts",    "slave-falls-back", "mailbox-recounted", "other-master",    "odd-watchdog",    "unknown-state",
+    "bridge-ended",    "frame-doubled",    "frame-damaged",     "slaves-swapped",  "station-doubled", "drive-fault",
+    "drive-unpowered"};
 inline constexpr std::size_t fault_count = fault_names.size();
 
 [[nodiscard]] constexpr std::string_view name_of(fault kind) noexcept {
@@ -56,7 +63,7 @@ inline constexpr std::size_t fault_count = fault_names.size();
 }
 
 /// Kinds of faults, one bit for each.
-using fault_set = std::uint32_t;
+using fault_set = std::uint64_t;
 inline constexpr fault_set every_fault = (fault_set{1} << fault_count) - 1;
 [[nodiscard]] constexpr fault_set only(fault kind) noexcept { return fault_set{1} << static_cast<unsigned>(kind); }
 

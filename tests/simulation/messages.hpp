@@ -3,6 +3,7 @@
 
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/jaus/core.hpp>
+#include <jauscat/schema/jaus/manipulator.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/wire/raw.hpp>
 
@@ -54,6 +55,48 @@ template <class Message> [[nodiscard]] std::optional<command_number> command_of_
     return raw(efforts.propulsive_linear_effort_y) * efforts_of_one + raw(efforts.propulsive_linear_effort_x);
 }
 
+/// The joints of an arm: their drives' units of velocity, and how a velocity says which command it is.
+inline constexpr std::size_t most_joints = 8;
+inline constexpr double increments_per_radian = 10'000;
+inline constexpr std::uint32_t numbers_of_commands = 4'000;
+inline constexpr std::int32_t least_velocity = 200, velocity_step = 4; ///< increments/s
+inline constexpr command_number no_command = 0xFFFF'FFFF;              ///< of a motion that is that of no command
+
+/// Increments/s of a joint; joints have different ones, so that none is mistaken for another. A joint always turns the
+/// same way: through rest, it would get a new velocity in two steps.
+[[nodiscard]] constexpr std::int32_t velocity_of(command_number command, std::size_t joint) noexcept {
+    if (command == 0) return 0;
+    const auto number = (command + 1009 * static_cast<std::uint32_t>(joint)) % numbers_of_commands;
+    const auto velocity = least_velocity + velocity_step * static_cast<std::int32_t>(number);
+    return joint % 2 == 0 ? velocity : -velocity;
+}
+/// The inverse; nothing for a velocity that is that of no command.
+[[nodiscard]] constexpr std::optional<command_number> command_of_velocity(std::int32_t velocity,
+                                                                          std::size_t joint) noexcept {
+    const std::int32_t above = (velocity < 0 ? -velocity : velocity) - least_velocity + 1;
+    if (above < 0 || above % velocity_step > 2) return std::nullopt;
+    const auto number = static_cast<std::uint32_t>(above / velocity_step);
+    const auto shift = 1009 * static_cast<std::uint32_t>(joint) % numbers_of_commands;
+    const auto command = (number + numbers_of_commands - shift) % numbers_of_commands;
+    if (number >= numbers_of_commands || command == 0 || (joint % 2 == 0) != (velocity > 0)) return std::nullopt;
+    return command;
+}
+[[nodiscard]] inline jaus::basic_set_joint_velocities<most_joints> velocities_of(command_number command,
+                                                                                 std::size_t joints) {
+    jaus::basic_set_joint_velocities<most_joints> made{};
+    for (std::size_t i = 0; i != joints; ++i)
+        static_cast<void>(made.joint_velocity.push_back(velocity_of(command, i) / increments_per_radian));
+    return made;
+}
+/// The command of a Set Wrench Effort or Set Joint Velocities; nothing where it is malformed.
+[[nodiscard]] inline std::optional<command_number> motion_in(std::uint16_t code, bytes body) {
+    if (code == jaus::command_code_of<jaus::set_wrench_effort>) return command_in<jaus::set_wrench_effort>(body);
+    jaus::basic_set_joint_velocities<most_joints> wanted{};
+    if (!wire::decode(wanted, body) || wanted.joint_velocity.size() == 0) return std::nullopt;
+    const auto first = static_cast<std::int32_t>(std::lround(wanted.joint_velocity[0] * increments_per_radian));
+    return first == 0 ? std::optional<command_number>{0} : command_of_velocity(first, 0);
+}
+
 [[nodiscard]] constexpr std::uint64_t digest_of(bytes content) noexcept {
     std::uint64_t digest = 0xCBF29CE484222325;
     for (const std::byte b : content) digest = (digest ^ std::to_integer<std::uint64_t>(b)) * 0x100000001B3;
@@ -62,7 +105,8 @@ template <class Message> [[nodiscard]] std::optional<command_number> command_of_
 
 /// What moves something, of the codes that the simulation uses.
 [[nodiscard]] constexpr bool moves(std::uint16_t code) noexcept {
-    return code == jaus::command_code_of<jaus::set_wrench_effort>;
+    return code == jaus::command_code_of<jaus::set_wrench_effort> ||
+           code == jaus::command_code_of<jaus::set_joint_velocities>;
 }
 /// What brings to rest.
 [[nodiscard]] constexpr bool stops(std::uint16_t code) noexcept {

@@ -1,6 +1,7 @@
 #include "simulation/model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <iterator>
 
@@ -56,7 +57,7 @@ std::uint32_t model::hands_over(std::uint8_t sender, bytes message, time must_en
             .digest = digest,
             .at = world_.now()};
     if (moves(head.command_code)) {
-        const auto command = command_in<jaus::set_wrench_effort>(body);
+        const auto command = motion_in(head.command_code, body);
         made.is_malformed = !command || body.size() != head.data_size;
         made.command = command.value_or(0);
         if (made.command != 0) of_command_[made.command % of_command_.size()] = number;
@@ -193,6 +194,7 @@ void model::starts(std::uint8_t which) {
     a.state = {};
     a.not_ready_since = world_.now();
     if (a.wire == nullptr) a.command = 0; // a slave goes on without its program
+    a.reset_at = world_.now();
     a.controller.reset();
     a.orphaned_since.reset();
     a.holders.clear();
@@ -287,28 +289,34 @@ bool model::state_is_right(const actuator_account& a, std::uint16_t code) {
 // What of an actuator need not last until it is acknowledged: another message may have come since.
 void model::look(actuator_account& a) const {
     if (a.command == 0) a.rest_seen_at = world_.now();
-    const bool in_emergency = a.wire == nullptr || (*a.wire)[a.slave].arm->in_emergency();
-    if (in_emergency) a.emergency_seen_at = world_.now();
+    const auto* const arm = arm_of(a);
+    if (arm == nullptr || arm->in_emergency()) a.emergency_seen_at = world_.now();
+}
+
+// Only an arm knows of emergencies: to others they are stop orders.
+const arm_unit* model::arm_of(const actuator_account& a) {
+    return a.wire == nullptr ? nullptr : (*a.wire)[a.axes.front().slave].arm;
 }
 
 bool model::has_effect(const actuator_account& a, const sent_message& sent) const {
     const bool has_rested = a.rest_seen_at >= sent.arrived_at;
     switch (sent.code) {
+    case jaus::command_code_of<jaus::set_joint_velocities>:
     case jaus::command_code_of<jaus::set_wrench_effort>: return sent.command == 0 && has_rested;
     case jaus::command_code_of<jaus::set_emergency>: {
         // One that has restarted unseen does not know of its emergency any more.
         const bool just_on = world_.now() - a.program->jumped_at() <= 2 * a.at_rest_in;
         const time unseen = (just_on ? a.program->last_silence() : sent.arrived_at) - 2 * a.at_rest_in;
-        const bool was_restarted = a.wire != nullptr && ((*a.wire)[a.slave].restarted_at >= unseen ||
-                                                         (*a.wire)[a.slave].arm->denies_objects());
+        const auto* const arm = arm_of(a);
+        const bool was_restarted =
+            arm != nullptr && ((*a.wire)[a.axes.front().slave].restarted_at >= unseen || arm->denies_objects());
         const bool ended = a.state == primary_status_code::shutdown;
         return sent.state_was_right && has_rested && (ended || was_restarted || a.emergency_seen_at >= sent.arrived_at);
     }
     case jaus::command_code_of<jaus::standby>:
     case jaus::command_code_of<jaus::shutdown>: return sent.state_was_right && has_rested;
     case jaus::command_code_of<jaus::clear_emergency>:
-        return a.wire == nullptr || a.state == primary_status_code::emergency ||
-               !(*a.wire)[a.slave].arm->in_emergency();
+        return arm_of(a) == nullptr || a.state == primary_status_code::emergency || !arm_of(a)->in_emergency();
     default: return sent.state_was_right;
     }
 }
@@ -328,8 +336,14 @@ void model::acknowledged(actuator_account& a, std::uint32_t number) {
         return breaks(contract::s1, a, number, "a NAK, or nothing, for a body that is none of this message",
                       "an acknowledgement");
     if (has_effect(a, *sent)) sent->done = true;
-    if (a.wire != nullptr && sent->stopped_it && (*a.wire)[a.slave].unreachable_since &&
-        *(*a.wire)[a.slave].unreachable_since < sent->arrived_at)
+    // A drive has no counter of commands: that its application does nothing cannot be seen.
+    if (moves(sent->code) && any_slave(a, [&](const ring_place& each) {
+            return each.drive != nullptr && (each.frozen || each.unfrozen_at >= sent->arrived_at);
+        }))
+        sent->done = true;
+    if (sent->stopped_it && any_slave(a, [&](const ring_place& each) {
+            return each.unreachable_since && *each.unreachable_since < sent->arrived_at;
+        }))
         breaks(contract::s2, a, number, "a stop order is acknowledged when the slave has confirmed it",
                "the slave was not reached since it came");
     if (!sent->done && !is_like_one_before(*sent))
@@ -373,6 +387,7 @@ void model::handled(std::uint8_t which) {
             breaks(contract::s1, a, sent->number, "ACK or nothing for what was executed", "a NAK");
     }
     take_emergency_codes(a, *sent);
+    if (sent->code == jaus::command_code_of<jaus::reset>) a.reset_at = world_.now();
     if (sent->code == jaus::command_code_of<jaus::set_emergency> && a.state != primary_status_code::emergency &&
         a.state != primary_status_code::shutdown && a.state != primary_status_code::failure)
         breaks(contract::s2, a, sent->number, "Set Emergency stops, whoever sends it", "the state is " + text(a.state));
@@ -405,9 +420,8 @@ void model::executes(std::uint8_t which, command_number command) {
                  .message = sent != nullptr ? sent->number : 0,
                  .value = command});
     note_efforts(a, command);
-    if (sent == nullptr || (command != 0 && sent->command != command) || sent->destination != a.id)
-        return breaks(contract::s7, a, 0, "efforts that somebody sent to this actuator",
-                      "command " + std::to_string(command) + ", which nobody has sent");
+    obeys(a, sent, command);
+    if (sent == nullptr) return;
     a.commander = sent->sender;
     if (a.current != 0 && sent->number != a.current)
         breaks(contract::s7, a, sent->number, "the body of the message that came", "that of another");
@@ -417,10 +431,21 @@ void model::executes(std::uint8_t which, command_number command) {
     ++sent->executed;
     sent->executed_at = world_.now();
     sent->done = true;
-    if (a.state != primary_status_code::ready && !was_on_its_way(a, *sent, a.not_ready_since))
+}
+
+// An actuator, or the first axes of one.
+void model::obeys(actuator_account& a, const sent_message* sent, command_number command) {
+    if (sent == nullptr || (command != 0 && sent->command != command) || sent->destination != a.id)
+        return breaks(contract::s7, a, 0, "efforts that somebody sent to this actuator",
+                      "command " + std::to_string(command) + ", which nobody has sent");
+    // A stop order replaces what drives have not executed yet; a command may wait for the torque of all of them while
+    // somebody else gets control.
+    constexpr auto in_outputs = std::chrono::milliseconds{30};
+    const time limit = a.wire != nullptr && arm_of(a) == nullptr ? in_outputs : a.at_rest_in;
+    if (a.state != primary_status_code::ready && !was_on_its_way(a, *sent, a.not_ready_since, limit))
         breaks(contract::s5, a, sent->number, "motion commands are obeyed in Ready only",
                "one was obeyed in " + text(a.state));
-    if (a.controller && *a.controller != sent->sender && !was_on_its_way(a, *sent, a.controlled_since))
+    if (a.controller && *a.controller != sent->sender && !was_on_its_way(a, *sent, a.controlled_since, a.at_rest_in))
         breaks(contract::s5, a, sent->number, "motion commands come from the controller",
                "one of " + world_.names()[senders_[sent->sender].program->number()] + " was obeyed under control of " +
                    world_.names()[senders_[*a.controller].program->number()]);
@@ -428,10 +453,11 @@ void model::executes(std::uint8_t which, command_number command) {
 
 // A command that stands in a slave's mailbox cannot be taken back while the slave cannot be reached or does nothing. A
 // stop order follows it.
-bool model::was_on_its_way(const actuator_account& a, const sent_message& sent, time changed) const {
+bool model::was_on_its_way(const actuator_account& a, const sent_message& sent, time changed, time limit) const {
     if (a.wire == nullptr || sent.arrived_at > changed) return false;
-    const auto& slave = (*a.wire)[a.slave];
-    return world_.now() - std::max({changed, slave.disturbed_at, slave.unfrozen_at}) < a.at_rest_in;
+    return any_slave(a, [&](const ring_place& each) {
+        return world_.now() - std::max({changed, each.disturbed_at, each.unfrozen_at}) < limit;
+    });
 }
 
 // Executed, and not so long ago that the actuator's component has forgotten it. Programs that are not of the library
@@ -469,20 +495,28 @@ bool model::were_in_force(const actuator_account& a, command_number command, tim
     return command == 0; // before the first
 }
 
-void model::moves_to(std::uint8_t which, command_number command) {
+void model::moves_to(std::uint8_t which, std::size_t axis, command_number command) {
     auto& a = actuators_[which];
-    if (command == 0) return rests(which);
-    if (command != a.command) executes(which, command);
+    a.axes[axis].command = command;
+    const bool is_common = std::ranges::all_of(a.axes, [&](const auto& each) { return each.command == command; });
+    if (is_common && command == 0) return rests(which);
+    if (is_common && (command != a.command || a.axes.size() != 1)) return executes(which, command);
+    if (is_common) return;
+    // Of several axes some obey already, or still.
+    if (command != 0) obeys(a, find(of_command_[command % of_command_.size()]), command);
+    if (a.command == 0) note_efforts(a, command);
 }
 
 void model::ends(std::uint8_t which, time told) {
     const auto& a = actuators_[which];
-    const auto& slave = (*a.wire)[a.slave];
-    const bool was_disturbed = slave.disturbed_at + std::chrono::milliseconds{700} > told || slave.frozen ||
-                               a.wire->trouble_of(a.slave) || a.program->jumped_at() > told;
-    if (a.command != 0 && !was_disturbed)
-        breaks(contract::s6, a, 0, "a program that is told to end brings its actuators to rest first",
-               "efforts of command " + std::to_string(a.command) + ", " + in_ms(world_.now() - told) + " later");
+    for (const auto& axis : a.axes) {
+        const auto& slave = (*a.wire)[axis.slave];
+        const bool was_disturbed = slave.disturbed_at + std::chrono::milliseconds{700} > told || slave.frozen ||
+                                   a.wire->trouble_of(axis.slave) || a.program->jumped_at() > told;
+        if (axis.command != 0 && !was_disturbed)
+            breaks(contract::s6, a, 0, "a program that is told to end brings its actuators to rest first",
+                   "efforts of command " + std::to_string(axis.command) + ", " + in_ms(world_.now() - told) + " later");
+    }
 }
 
 void model::enters(std::uint8_t which, primary_status_code from, primary_status_code to) {
@@ -570,6 +604,22 @@ void model::reported(const actuator_account& a, const jaus::header& head, bytes 
             breaks(contract::s4, a, 0, "the efforts in force: command " + std::to_string(a.command),
                    "reported: command " + std::to_string(*told));
     }
+    if (head.command_code == jaus::command_code_of<jaus::report_joint_velocities>) check_velocities(a, body);
+}
+
+void model::check_velocities(const actuator_account& a, bytes body) {
+    jaus::basic_report_joint_velocities<most_joints> told{};
+    if (!wire::decode(told, body) || told.joint_velocity.size() != a.axes.size())
+        return breaks(contract::s7, a, 0, "the velocities of " + std::to_string(a.axes.size()) + " joints",
+                      "those of " + std::to_string(told.joint_velocity.size()));
+    for (std::size_t i = 0; i != a.axes.size(); ++i) {
+        const auto& axis = a.axes[i];
+        const double velocity = told.joint_velocity[i] * increments_per_radian;
+        if (!(*a.wire)[axis.slave].drive->had_velocity(axis.axis, velocity, world_.now() - a.fresh_for))
+            breaks(contract::s4, a, 0,
+                   "a velocity that joint " + std::to_string(i + 1) + " had in the last " + in_ms(a.fresh_for),
+                   "reported: " + std::to_string(std::lround(velocity)) + " increments/s");
+    }
 }
 
 // ---------------------------------------------------------------------------------------------------- checks
@@ -586,7 +636,13 @@ void model::check() {
 }
 
 void model::check_actuator(const actuator_account& a) {
-    if (a.wire != nullptr) return check_slave(a);
+    if (a.wire != nullptr) {
+        check_known(a);
+        check_return(a);
+        for (const auto& axis : a.axes)
+            if (axis.command != 0) check_axis(a, axis);
+        return;
+    }
     if (!a.program->running()) return;
     if (a.command != 0 && a.state != primary_status_code::ready)
         breaks(contract::s2, a, 0, "at rest in every state but Ready",
@@ -602,59 +658,71 @@ void model::check_actuator(const actuator_account& a) {
                    world_.names()[senders_[*a.controller].program->number()] + " was lost");
 }
 
-void model::check_stop(const actuator_account& a, const char* why, time since, time limit) {
+void model::check_stop(const actuator_account& a, const axis_account& axis, const char* why, time since, time limit) {
     if (world_.now() - since > limit)
         breaks(contract::s3, a, 0, "at rest " + in_ms(limit) + " after " + why,
-               "efforts of command " + std::to_string(a.command) + ", " + in_ms(world_.now() - since) + " later");
+               "efforts of command " + std::to_string(axis.command) + ", " + in_ms(world_.now() - since) + " later");
 }
 
 // A slave that cannot be commanded, or whose state nobody knows, does not run: its component is not Ready.
 void model::check_known(const actuator_account& a) {
-    const auto& slave = (*a.wire)[a.slave];
-    auto trouble = a.wire->trouble_of(a.slave);
-    if (slave.unknown_since && (!trouble || *slave.unknown_since < trouble->since))
-        trouble = {"nobody knows the slave's state", *slave.unknown_since};
-    if (!trouble || !a.program->running() || a.state != primary_status_code::ready) return;
-    const time since = std::max({trouble->since, a.program->jumped_at(), slave.unfrozen_at});
-    if (world_.now() - since > a.at_rest_in + slack)
-        breaks(contract::s8, a, 0, "a component is not Ready while its slave is not known to run",
-               std::string{"Ready, "} + in_ms(world_.now() - since) + " after this: " + trouble->what);
+    if (!a.program->running() || a.state != primary_status_code::ready) return;
+    for (const auto& axis : a.axes) {
+        const auto& slave = (*a.wire)[axis.slave];
+        auto trouble = a.wire->trouble_of(axis.slave);
+        if (slave.unknown_since && (!trouble || *slave.unknown_since < trouble->since))
+            trouble = {"nobody knows the slave's state", *slave.unknown_since};
+        if (!trouble) continue;
+        const time since = std::max({trouble->since, a.program->jumped_at(), slave.unfrozen_at});
+        if (world_.now() - since > a.noticed_in)
+            breaks(contract::s8, a, 0,
+                   "a component is not Ready " + in_ms(a.noticed_in) + " after its slave is not known to run",
+                   std::string{"Ready, "} + in_ms(world_.now() - since) + " after this: " + trouble->what);
+    }
 }
 
-// A slave that is there and left alone is brought up and to rest: nobody waits for it for ever.
+// Slaves that are there and left alone are brought up and to rest: nobody waits for them for ever. The fault of a drive
+// ends with a Reset.
 void model::check_return(const actuator_account& a) {
-    const auto& slave = (*a.wire)[a.slave];
     const bool waits = a.state == primary_status_code::failure || a.state == primary_status_code::initialize;
-    if (!waits || !a.program->running() || slave.frozen || slave.state_is_unknown || slave.unreachable_since) return;
-    const time since =
-        std::max({slave.disturbed_at, slave.unfrozen_at, a.program->jumped_at(), a.not_ready_since, a.failed_since});
+    if (!waits || !a.program->running()) return;
+    time since = std::max({a.program->jumped_at(), a.not_ready_since, a.failed_since});
+    bool is_away = false, has_drives = false;
+    for (const auto& axis : a.axes) {
+        const auto& slave = (*a.wire)[axis.slave];
+        since = std::max({since, slave.disturbed_at, slave.unfrozen_at});
+        is_away = is_away || slave.frozen || slave.state_is_unknown || slave.unreachable_since ||
+                  a.wire->is_elsewhere(axis.slave) || slave.has_drive_fault;
+        has_drives = has_drives || slave.drive != nullptr;
+    }
+    if (is_away || (has_drives && a.reset_at < since)) return;
+    since = std::max(since, a.reset_at);
     constexpr auto long_enough = std::chrono::seconds{10};
     if (world_.now() - since > long_enough)
         breaks(contract::s6, a, 0, "a slave that is there is brought up and to rest",
                text(a.state) + " for " + in_ms(world_.now() - since) + " in which nothing has happened to it");
 }
 
-// Whatever is lost, a slave that moves must come to rest: told by the bridge or by itself.
-void model::check_slave(const actuator_account& a) {
-    check_known(a);
-    check_return(a);
-    if (a.command == 0) return;
-    const auto& slave = (*a.wire)[a.slave];
+// Whatever is lost, an axis that moves must come to rest: told by the bridge or by itself.
+void model::check_axis(const actuator_account& a, const axis_account& axis) {
+    const auto& slave = (*a.wire)[axis.slave];
     if (slave.frozen) return; // nothing that is outside of it can stop it
     constexpr auto frames_lost = std::chrono::milliseconds{60}, between_checks = std::chrono::milliseconds{10};
     if (const auto silent = a.program->silent_since())
-        check_stop(a, "its program does nothing any more", std::max(*silent, slave.unfrozen_at),
+        check_stop(a, axis, "its program does nothing any more", std::max(*silent, slave.unfrozen_at),
                    a.at_rest_in + between_checks);
-    if (const auto trouble = a.wire->trouble_of(a.slave))
-        check_stop(a, trouble->what, std::max(trouble->since, slave.unfrozen_at), a.at_rest_in + between_checks);
+    // Outputs stop when the loss of the address is noticed, the slave when it misses them.
+    if (const auto trouble = a.wire->trouble_of(axis.slave))
+        check_stop(a, axis, trouble->what, std::max(trouble->since, slave.unfrozen_at),
+                   a.at_rest_in + a.two_cycles + between_checks);
     // What the bridge must tell it: as long as nothing comes in between.
     const time undisturbed = std::max({slave.disturbed_at, a.program->jumped_at(), slave.unfrozen_at});
     if (!a.program->running()) return;
     if (a.state != primary_status_code::ready)
-        check_stop(a, "its component has left Ready", std::max(a.not_ready_since, undisturbed),
+        check_stop(a, axis, "its component has left Ready", std::max(a.not_ready_since, undisturbed),
                    a.at_rest_in + frames_lost);
     if (const auto since = a.controller ? unreachable_since(*a.controller, a) : a.orphaned_since)
-        check_stop(a, "its controller is lost", std::max(*since + network::longest_delay, undisturbed),
+        check_stop(a, axis, "its controller is lost", std::max(*since + network::longest_delay, undisturbed),
                    a.controller_limit + frames_lost);
 }
 

@@ -71,16 +71,27 @@ struct emergency_holder {
     bool may_be_lost{}; ///< the actuator may have given it up
 };
 
+/// An axis of an actuator that slaves of a ring are: a drive's, or a whole arm.
+struct axis_account {
+    std::size_t slave{};      ///< of the ring
+    std::size_t axis{};       ///< of the slave
+    command_number command{}; ///< in force; 0: at rest
+};
+
 /// An actuator, as far as it shows.
 struct actuator_account {
     const process* program{};
     jaus::address id{};
     std::uint8_t port{};
     std::uint8_t number{}; ///< of the actor
-    // Where it is a slave of a ring:
+    // Where it is one slave of a ring or several:
     const ring* wire{};
-    std::size_t slave{};
+    std::vector<axis_account> axes{};
     time at_rest_in{}; ///< how long after it is lost, or told to stop, it must be at rest
+    time noticed_in{}; ///< how long after a slave is lost its component is not Ready
+    time fresh_for{};  ///< how old a reported value may be
+    time two_cycles{}; ///< until the loss of an address or a state is noticed
+    time reset_at{};   ///< it has got Reset
     // How it is made:
     time controller_limit{}; ///< how long after its controller is lost it must be at rest
     // What was seen:
@@ -102,6 +113,11 @@ struct actuator_account {
     std::uint32_t effort_count{};
 };
 
+/// See actuator_account.
+struct ring_times {
+    time at_rest_in{}, noticed_in{}, fresh_for{}, two_cycles{};
+};
+
 class model {
   public:
     model(world& w, network& n) : world_{w}, network_{n} {}
@@ -115,18 +131,22 @@ class model {
             {.program = &program, .id = id, .port = program.port(), .number = number, .controller_limit = limit});
         return static_cast<std::uint8_t>(actuators_.size() - 1);
     }
-    /// The actuator is a slave of a ring, behind a component at this port.
-    void stands_behind(std::uint8_t which, std::uint8_t port, const ring& wire, std::size_t slave, time at_rest_in) {
+    /// The actuator is these axes of slaves, behind a component at this port.
+    void stands_behind(std::uint8_t which, std::uint8_t port, const ring& wire, std::vector<axis_account> axes,
+                       const ring_times& times) {
         auto& a = actuators_[which];
         a.port = port;
         a.wire = &wire;
-        a.slave = slave;
-        a.at_rest_in = at_rest_in;
+        a.axes = std::move(axes);
+        a.at_rest_in = times.at_rest_in;
+        a.noticed_in = times.noticed_in;
+        a.fresh_for = times.fresh_for;
+        a.two_cycles = times.two_cycles;
     }
     [[nodiscard]] const actuator_account& actuator(std::uint8_t which) const { return actuators_[which]; }
 
     /// For a new motion command.
-    command_number new_command() noexcept { return ++commands_; }
+    command_number new_command() noexcept { return commands_ = commands_ % (numbers_of_commands - 1) + 1; }
 
     // ---- what senders do
     /// A program hands a message over; `must_end_in`: it has to learn the outcome. Returns the message's number, 0
@@ -160,8 +180,8 @@ class model {
     /// What its motors do: the application got a command, or has brought them to rest.
     void executes(std::uint8_t which, command_number command);
     void rests(std::uint8_t which);
-    /// Of a slave: these efforts are in force now.
-    void moves_to(std::uint8_t which, command_number command);
+    /// Of an axis of a ring: the efforts of this command are in force now.
+    void moves_to(std::uint8_t which, std::size_t axis, command_number command);
     /// Its program ends, which was told to at `told`.
     void ends(std::uint8_t which, time told);
     void enters(std::uint8_t which, jaus::primary_status_code from, jaus::primary_status_code to);
@@ -188,13 +208,20 @@ class model {
     [[nodiscard]] static bool state_is_right(const actuator_account& a, std::uint16_t code);
     void look(actuator_account& a) const;
     void note_efforts(actuator_account& a, command_number command);
+    void obeys(actuator_account& a, const sent_message* sent, command_number command);
+    [[nodiscard]] static const arm_unit* arm_of(const actuator_account& a);
+    [[nodiscard]] static bool any_slave(const actuator_account& a, auto&& is) {
+        return std::ranges::any_of(a.axes, [&](const axis_account& each) { return is((*a.wire)[each.slave]); });
+    }
     [[nodiscard]] bool were_in_force(const actuator_account& a, command_number command, time since) const;
     [[nodiscard]] bool is_like_one_before(const sent_message& sent) const;
-    [[nodiscard]] bool was_on_its_way(const actuator_account& a, const sent_message& sent, time changed) const;
+    [[nodiscard]] bool was_on_its_way(const actuator_account& a, const sent_message& sent, time changed,
+                                      time limit) const;
     void check_known(const actuator_account& a);
     void check_return(const actuator_account& a);
-    void check_slave(const actuator_account& a);
-    void check_stop(const actuator_account& a, const char* why, time since, time limit);
+    void check_axis(const actuator_account& a, const axis_account& axis);
+    void check_stop(const actuator_account& a, const axis_account& axis, const char* why, time since, time limit);
+    void check_velocities(const actuator_account& a, bytes body);
     void confirmed(actuator_account& a, const jaus::header& head, bytes body);
     void take_emergency_codes(actuator_account& a, const sent_message& sent);
     void reported(const actuator_account& a, const jaus::header& head, bytes body);

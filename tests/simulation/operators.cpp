@@ -18,9 +18,10 @@ jaus::clear_emergency end_order() {
 
 } // namespace
 
-intent next_intent(generator& random, bool has_control, bool holds_emergency) {
+intent next_intent(generator& random, bool has_control, bool holds_emergency, bool has_drives) {
     if (holds_emergency && random.below(4) == 0) return intent::clear_emergency;
     if (!has_control && random.below(3) == 0) return intent::ask_control;
+    if (has_drives && random.below(16) == 0) return intent::reset; // of their faults
     struct weighted {
         intent what;
         unsigned weight;
@@ -44,10 +45,11 @@ intent next_intent(generator& random, bool has_control, bool holds_emergency) {
 // ---------------------------------------------------------------------------------------------------- of the library
 
 operator_program::operator_program(world& w, network& n, model& m, const std::vector<place>& places, std::size_t which,
-                                   const jaus::address& target)
+                                   const target_unit& target)
     : node_program{w, n, m, places, which},
       id_{.instance = 1, .component = 32, .node = 1, .subsystem = places[which].jausip.subsystem},
-      target_{target},
+      target_{target.id},
+      joints_{target.joints},
       account_{m.add_sender(*this, id_)} {
     world_.in(world_.faults.pause(fault::mute_controller, std::chrono::seconds{5}), *this, to_mute);
 }
@@ -117,6 +119,16 @@ template <class Message> void operator_program::command(const Message& message, 
         static_cast<void>(jaus::put(head, message, out));
 }
 
+void operator_program::move(command_number number, bool acknowledged) {
+    if (joints_ != 0) return command(velocities_of(number, joints_), acknowledged);
+    command(efforts_of<jaus::set_wrench_effort>(number), acknowledged);
+}
+
+void operator_program::query_motion() {
+    if (joints_ != 0) return command(jaus::query_joint_velocities{}, false);
+    command(jaus::query_wrench_effort{}, false);
+}
+
 void operator_program::send_large() {
     large_.resize(jaus::max_body_size + 1 + random_.below(20'000));
     const auto identity = std::uint64_t{account_} << 32U | ++large_made_;
@@ -144,12 +156,12 @@ void operator_program::act() {
     check_control();
     const bool sure = random_.below(5) < 3;
     const bool has_control = control_->state() == jaus::control_state::held;
-    switch (next_intent(random_, has_control, holds_emergency_)) {
+    switch (next_intent(random_, has_control, holds_emergency_, joints_ != 0)) {
     case intent::ask_control:
         if (control_->state() == jaus::control_state::asking) return;
         return control_->ask(static_cast<std::uint8_t>(1 + random_.below(200)), now(), node().out(now()));
-    case intent::move: return command(efforts_of<jaus::set_wrench_effort>(model_.new_command()), sure);
-    case intent::stop_moving: return command(efforts_of<jaus::set_wrench_effort>(0), sure);
+    case intent::move: return move(model_.new_command(), sure);
+    case intent::stop_moving: return move(0, sure);
     case intent::standby: return command(jaus::standby{}, sure);
     case intent::resume: return command(jaus::resume{}, sure);
     case intent::set_emergency: return command(stop_order(random_.below(4) != 0), sure);
@@ -160,7 +172,7 @@ void operator_program::act() {
         if (has_control) control_->release(node().out(now()));
         return;
     case intent::query_status: return command(jaus::query_component_status{}, false);
-    case intent::query_efforts: return command(jaus::query_wrench_effort{}, false);
+    case intent::query_efforts: return query_motion();
     case intent::large_data: return send_large();
     }
 }
@@ -187,12 +199,13 @@ void operator_program::own_event(std::uint8_t what, std::uint32_t argument) {
 // ---------------------------------------------------------------------------------------------------- not of the
 // library
 
-foreign_operator::foreign_operator(world& w, network& n, model& m, const jaus::address& self,
-                                   const jaus::address& target, std::uint8_t target_port, std::string name)
+foreign_operator::foreign_operator(world& w, network& n, model& m, const jaus::address& self, const target_unit& target,
+                                   std::uint8_t target_port, std::string name)
     : process{w, n, std::move(name)},
       model_{m},
       id_{self},
-      target_{target},
+      target_{target.id},
+      joints_{target.joints},
       target_port_{target_port},
       account_{m.add_sender(*this, id_, true)} {}
 
@@ -318,14 +331,24 @@ template <class Message> void foreign_operator::command(const Message& message, 
     send(bytes{waiting_.bytes}.first(waiting_.size));
 }
 
+void foreign_operator::move(command_number number, bool acknowledged) {
+    if (joints_ != 0) return command(velocities_of(number, joints_), acknowledged);
+    command(efforts_of<jaus::set_wrench_effort>(number), acknowledged);
+}
+
+void foreign_operator::query_motion() {
+    if (joints_ != 0) return put(target_, jaus::query_joint_velocities{});
+    put(target_, jaus::query_wrench_effort{});
+}
+
 void foreign_operator::act() {
     const bool sure = random_.below(5) < 3;
-    switch (next_intent(random_, controls_, holds_emergency_)) {
+    switch (next_intent(random_, controls_, holds_emergency_, joints_ != 0)) {
     case intent::ask_control:
         authority_ = static_cast<std::uint8_t>(1 + random_.below(200));
         return put(target_, jaus::request_component_control{authority_});
-    case intent::move: return command(efforts_of<jaus::set_wrench_effort>(model_.new_command()), sure);
-    case intent::stop_moving: return command(efforts_of<jaus::set_wrench_effort>(0), sure);
+    case intent::move: return move(model_.new_command(), sure);
+    case intent::stop_moving: return move(0, sure);
     case intent::standby: return command(jaus::standby{}, sure);
     case intent::resume: return command(jaus::resume{}, sure);
     case intent::set_emergency: return command(stop_order(random_.below(4) != 0), sure);
@@ -337,7 +360,7 @@ void foreign_operator::act() {
         renew_at_ = time::max();
         return put(target_, jaus::release_component_control{});
     case intent::query_status: return put(target_, jaus::query_component_status{});
-    case intent::query_efforts: return put(target_, jaus::query_wrench_effort{});
+    case intent::query_efforts: return query_motion();
     case intent::large_data: return;
     }
 }

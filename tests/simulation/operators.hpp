@@ -26,13 +26,19 @@ enum class intent : std::uint8_t {
     large_data
 };
 /// Draws one: mostly motion, and what is needed for it.
-[[nodiscard]] intent next_intent(generator& random, bool has_control, bool holds_emergency);
+[[nodiscard]] intent next_intent(generator& random, bool has_control, bool holds_emergency, bool has_drives);
+
+/// Whom it commands.
+struct target_unit {
+    jaus::address id{};
+    std::size_t joints{}; ///< 0: it takes Set Wrench Effort
+};
 
 /// An operator with a node of the library. One component, which holds control of one actuator.
 class operator_program final : public node_program {
   public:
     operator_program(world& w, network& n, model& m, const std::vector<place>& places, std::size_t which,
-                     const jaus::address& target);
+                     const target_unit& target);
 
   protected:
     void add_components(net::node_machine& node) override;
@@ -51,9 +57,12 @@ class operator_program final : public node_program {
     void on_delivered(const jaus::awaited_message& message, jaus::delivered what);
     void send_large();
     template <class Message> void command(const Message& message, bool acknowledged);
+    void move(command_number number, bool acknowledged);
+    void query_motion();
     void check_control();
 
     jaus::address id_, target_;
+    std::size_t joints_;
     std::uint8_t account_;
     struct control_listener {
         operator_program& mine;
@@ -77,7 +86,7 @@ class operator_program final : public node_program {
 /// An operator with bytes of its own making: it numbers as it likes, and does not know the library's care.
 class foreign_operator final : public process {
   public:
-    foreign_operator(world& w, network& n, model& m, const jaus::address& self, const jaus::address& target,
+    foreign_operator(world& w, network& n, model& m, const jaus::address& self, const target_unit& target,
                      std::uint8_t target_port, std::string name);
 
   protected:
@@ -96,12 +105,15 @@ class foreign_operator final : public process {
         time due{};
     };
     template <class Message> void command(const Message& message, bool acknowledged);
+    void move(command_number number, bool acknowledged);
+    void query_motion();
     void send(bytes message);
     [[nodiscard]] std::size_t spoil(std::span<std::byte> message, std::size_t size);
     template <class Message> void put(const jaus::address& to, const Message& message);
 
     model& model_;
     jaus::address id_, target_;
+    std::size_t joints_;
     std::uint8_t target_port_;
     std::uint8_t account_;
     bool all_zero_{};

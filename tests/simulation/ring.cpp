@@ -15,6 +15,8 @@ constexpr time tick_time = milliseconds{10};
 constexpr std::array ring_faults{fault::cable_out,    fault::slave_frozen,     fault::slave_restarted,
                                  fault::slave_aborts, fault::slave_falls_back, fault::mailbox_recounted,
                                  fault::other_master, fault::unknown_state};
+constexpr std::array rough_faults{fault::slaves_swapped, fault::station_doubled};
+constexpr std::array drive_faults{fault::drive_fault, fault::drive_unpowered};
 
 } // namespace
 
@@ -22,15 +24,39 @@ void ring::add(std::string name, std::uint16_t station, bool cyclic) {
     const auto i = places_.size();
     ring_place made{.number = world_.add(std::move(name)), .station = station, .cyclic = cyclic};
     places_.push_back(std::move(made));
-    places_.back().arm = std::make_unique<arm_unit>([this, i](command_number command) { moved_(i, command); });
+    order_.push_back(i);
+}
+
+void ring::add_arm(std::string name, std::uint16_t station, bool cyclic) {
+    const auto i = places_.size();
+    add(std::move(name), station, cyclic);
+    auto made = std::make_unique<arm_unit>(serial_of(i), [this, i](command_number command) { moved_(i, 0, command); });
+    places_.back().arm = made.get();
+    places_.back().unit = std::move(made);
+}
+
+void ring::add_drive(std::string name, std::uint16_t station, std::size_t axes, std::size_t first_joint) {
+    const auto i = places_.size();
+    add(std::move(name), station, true);
+    auto made = make_drive(axes, serial_of(i), first_joint,
+                           [this, i](std::size_t axis, command_number command) { moved_(i, axis, command); });
+    places_.back().drive = made.get();
+    places_.back().unit = std::move(made);
 }
 
 void ring::start(frame_user& user) {
     user_ = &user;
     world_.in(tick_time, *this, tick);
     for (std::size_t i = 0; i != places_.size(); ++i) give_odd_watchdog(i);
-    for (const auto kind : ring_faults)
-        world_.in(world_.faults.pause(kind, std::chrono::seconds{2}), *this, trial, static_cast<std::uint32_t>(kind));
+    for (const auto kind : ring_faults) try_later(kind);
+    if (is_rough_)
+        for (const auto kind : rough_faults) try_later(kind);
+    if (std::ranges::any_of(places_, [](const ring_place& each) { return each.drive != nullptr; }))
+        for (const auto kind : drive_faults) try_later(kind);
+}
+
+void ring::try_later(fault kind) {
+    world_.in(world_.faults.pause(kind, std::chrono::seconds{2}), *this, trial, static_cast<std::uint32_t>(kind));
 }
 
 void ring::tell(std::size_t place, ring_deed what, std::uint32_t value) {
@@ -53,24 +79,36 @@ void ring::send(bytes frame) {
     flight& one = *flights_[place];
     one.size = frame.size();
     std::ranges::copy(frame, one.bytes.begin());
-    pass(std::span{one.bytes}.first(one.size));
-    if (is_lost || (cable_out_before_ && *cable_out_before_ == 0)) return;
+    auto& random = world_.faults.random(fault::frame_damaged);
+    const bool is_damaged = is_rough_ && world_.faults.strikes(fault::frame_damaged, 3'000);
+    const bool is_discarded = is_damaged && random.below(2) == 0; // by the slave behind the place
+    pass(std::span{one.bytes}.first(one.size), is_discarded ? random.below(places_.size()) : places_.size());
+    if (is_damaged && !is_discarded) one.size = random.below(one.size);
+    if (is_damaged) tell(0, ring_deed::frame_damaged, is_discarded ? 0 : static_cast<std::uint32_t>(one.size));
+    if (is_lost || is_discarded || (cable_out_before_ && *cable_out_before_ == 0)) return;
     free_.pop_back();
     time delay = world_.faults.random(fault::frame_delayed).between(microseconds{30}, microseconds{200});
     if (world_.faults.strikes(fault::frame_delayed, 1'000)) {
         delay = world_.faults.random(fault::frame_delayed).between(milliseconds{1}, milliseconds{60});
         tell(0, ring_deed::frame_delayed, static_cast<std::uint32_t>(delay / microseconds{1}));
     }
+    if (is_rough_ && world_.faults.strikes(fault::frame_doubled, 3'000)) {
+        const time later = world_.faults.random(fault::frame_doubled).between(microseconds{1}, milliseconds{30});
+        tell(0, ring_deed::frame_doubled, static_cast<std::uint32_t>(later / microseconds{1}));
+        world_.in(delay, *this, returns, place | is_copy);
+        delay += later;
+    }
     world_.in(delay, *this, returns, place);
 }
 
-void ring::pass(std::span<std::byte> frame) {
-    for (std::size_t i = 0; i != places_.size() && is_reachable(i); ++i) {
+void ring::pass(std::span<std::byte> frame, std::size_t end) {
+    for (const std::size_t i : std::span{order_}.first(end)) {
+        if (!is_reachable(i)) return;
         auto& at = places_[i];
-        at.arm->pass(frame, world_.now(), at.frozen);
+        at.unit->pass(frame, world_.now(), at.frozen);
         at.passed_at = world_.now();
         alter(at, frame);
-        if (at.arm->take_aborted()) at.disturbed_at = world_.now();
+        if (at.arm != nullptr && at.arm->take_aborted()) at.disturbed_at = world_.now();
         look(at);
     }
 }
@@ -82,7 +120,7 @@ void ring::alter(ring_place& at, std::span<std::byte> frame) {
     constexpr std::uint16_t mailbox_in = ethercat::slave_description{}.mailbox_in_offset;
     for (auto one : view) {
         const bool is_mine =
-            one.header.cmd == ethercat::command::fprd && one.header.adp == at.arm->slave().station_address();
+            one.header.cmd == ethercat::command::fprd && one.header.adp == at.unit->slave().station_address();
         if (!is_mine || one.working_counter == 0) continue;
         if (one.header.ado == mailbox_in && one.data.size() >= at.last_reply.size()) {
             const auto reply = one.data.first(at.last_reply.size());
@@ -100,11 +138,13 @@ void ring::alter(ring_place& at, std::span<std::byte> frame) {
     }
 }
 
+std::size_t ring::position_of(std::size_t i) const noexcept {
+    return static_cast<std::size_t>(std::ranges::find(order_, i) - order_.begin());
+}
 bool ring::is_reachable(std::size_t i) const noexcept {
-    if (cable_out_before_ && i >= *cable_out_before_) return false;
-    for (std::size_t k = 0; k <= i; ++k)
-        if (places_[k].away) return false;
-    return true;
+    const auto position = position_of(i);
+    if (cable_out_before_ && position >= *cable_out_before_) return false;
+    return std::ranges::none_of(std::span{order_}.first(position + 1), [&](std::size_t k) { return places_[k].away; });
 }
 
 // ---------------------------------------------------------------------------------------------------- what is wrong
@@ -117,7 +157,7 @@ void ring::look(ring_place& at) {
         else if (!since)
             since = world_.now();
     };
-    const auto state = at.arm->slave().state();
+    const auto state = at.unit->slave().state();
     if (state != at.told_state) {
         at.told_state = state;
         tell(i, ring_deed::al_state, static_cast<std::uint32_t>(state));
@@ -126,7 +166,7 @@ void ring::look(ring_place& at) {
                                  : state != ethercat::al_state::init && state != ethercat::al_state::boot;
     note(at.unreachable_since, !is_reachable(i));
     note(at.left_state_since, !works);
-    note(at.taken_since, at.arm->slave().station_address() != at.station);
+    note(at.taken_since, at.unit->slave().station_address() != at.station);
     note(at.unknown_since, at.state_is_unknown);
 }
 
@@ -145,16 +185,16 @@ std::optional<trouble> ring::trouble_of(std::size_t i) const {
 void ring::on_event(std::uint8_t what, std::uint32_t argument) {
     switch (what) {
     case returns: {
-        const flight& one = *flights_[argument];
+        const flight& one = *flights_[argument & ~is_copy];
         user_->frame_returns(bytes{one.bytes}.first(one.size));
-        free_.push_back(argument);
+        if ((argument & is_copy) == 0) free_.push_back(argument);
         return;
     }
     case tick:
         world_.in(tick_time, *this, tick);
         for (auto& at : places_) {
             if (world_.now() - at.passed_at < tick_time) continue; // a frame has had it work
-            if (!at.frozen && !at.away) at.arm->on_time(world_.now());
+            if (!at.frozen && !at.away) at.unit->on_time(world_.now());
             look(at);
         }
         return;
@@ -164,7 +204,7 @@ void ring::on_event(std::uint8_t what, std::uint32_t argument) {
 }
 
 void ring::suffer(fault kind) {
-    world_.in(world_.faults.pause(kind, std::chrono::seconds{2}), *this, trial, static_cast<std::uint32_t>(kind));
+    try_later(kind);
     if (!world_.faults.strikes(kind, 100'000)) return;
     auto& random = world_.faults.random(kind);
     const std::size_t i = random.below(places_.size());
@@ -178,7 +218,7 @@ void ring::suffer(fault kind) {
     switch (kind) {
     case fault::cable_out:
         if (cable_out_before_) return;
-        cable_out_before_ = i;
+        cable_out_before_ = position_of(i);
         tell(i, ring_deed::cable_out);
         mend_later();
         break;
@@ -192,11 +232,12 @@ void ring::suffer(fault kind) {
         if (at.away) return;
         at.away = true;
         tell(i, ring_deed::restarts, ms);
-        at.arm->power_on();
+        at.unit->power_on();
         at.restarted_at = world_.now();
         mend_later();
         break;
     case fault::slave_aborts: {
+        if (at.arm == nullptr) return;
         constexpr std::array codes{ethercat::abort_code::general,   ethercat::abort_code::device_state,
                                    ethercat::abort_code::no_object, ethercat::abort_code::value_range,
                                    ethercat::abort_code::timeout,   ethercat::abort_code::cannot_store};
@@ -221,6 +262,16 @@ void ring::suffer(fault kind) {
         write(at, registers::station_address.address, static_cast<std::uint16_t>(1000 + random.below(8)));
         if (random.below(2) == 0) write(at, registers::al_control.address, 0x11);
         break;
+    case fault::slaves_swapped: return swap(i, random.below(places_.size()));
+    case fault::station_doubled: {
+        const auto& other =
+            places_[(i + 1 + random.below(std::max<std::size_t>(places_.size(), 2) - 1)) % places_.size()];
+        tell(i, ring_deed::doubled, other.number);
+        write(at, registers::station_address.address, other.station);
+        break;
+    }
+    case fault::drive_fault:
+    case fault::drive_unpowered: return suffer_of_drive(kind, i, some);
     default:
         if (at.state_is_unknown) return;
         at.state_is_unknown = true;
@@ -231,7 +282,58 @@ void ring::suffer(fault kind) {
     for (auto& each : places_) look(each);
 }
 
+// Two slaves are unplugged and plugged in at each other's places, sometimes without losing their supply: those keep
+// their station addresses. Some time later they are put back.
+void ring::swap(std::size_t i, std::size_t other) {
+    auto& random = world_.faults.random(fault::slaves_swapped);
+    if (i == other || is_elsewhere(i) || is_elsewhere(other)) return;
+    const bool has_own_supply = random.below(4) == 0;
+    tell(i, ring_deed::swapped, places_[other].number);
+    std::swap(order_[i], order_[other]);
+    for (const std::size_t each : {i, other}) {
+        if (!has_own_supply) {
+            places_[each].unit->power_on();
+            places_[each].restarted_at = world_.now();
+        }
+        places_[each].disturbed_at = world_.now();
+    }
+    const auto both = static_cast<std::uint32_t>(i << 4U | other);
+    world_.in(random.between(milliseconds{20}, std::chrono::seconds{4}), *this, repair,
+              static_cast<std::uint32_t>(fault::slaves_swapped) << 8U | both);
+}
+
+void ring::suffer_of_drive(fault kind, std::size_t i, time some) {
+    auto& at = places_[i];
+    if (at.drive == nullptr || at.has_drive_fault) return;
+    auto& random = world_.faults.random(kind);
+    constexpr std::array codes{cia402::error_codes::over_current, cia402::error_codes::following_error};
+    auto& hurt = at.drive->axis(random.below(at.drive->axis_count())).disturbed;
+    if (kind == fault::drive_fault)
+        hurt.fault = codes[random.below(codes.size())];
+    else
+        hurt.no_voltage = true;
+    at.has_drive_fault = true;
+    at.disturbed_at = world_.now();
+    tell(i, kind == fault::drive_fault ? ring_deed::drive_fault : ring_deed::unpowered,
+         static_cast<std::uint32_t>(some / milliseconds{1}));
+    world_.in(some, *this, repair, static_cast<std::uint32_t>(kind) << 8U | static_cast<std::uint32_t>(i));
+}
+
 void ring::mend(fault kind, std::size_t i) {
+    if (kind == fault::slaves_swapped) {
+        const std::size_t first = i >> 4U, second = i & 0xFU;
+        std::swap(order_[first], order_[second]);
+        tell(first, ring_deed::swapped, places_[second].number);
+        for (const std::size_t each : {first, second}) {
+            places_[each].unit->power_on();
+            places_[each].restarted_at = world_.now();
+        }
+        for (auto& each : places_) {
+            each.disturbed_at = world_.now();
+            look(each);
+        }
+        return;
+    }
     auto& at = places_[i];
     switch (kind) {
     case fault::cable_out:
@@ -247,6 +349,12 @@ void ring::mend(fault kind, std::size_t i) {
         at.away = false;
         tell(i, ring_deed::comes_back);
         give_odd_watchdog(i);
+        break;
+    case fault::drive_fault:
+    case fault::drive_unpowered:
+        at.has_drive_fault = false;
+        for (std::size_t k = 0; k != at.drive->axis_count(); ++k) at.drive->axis(k).disturbed = {};
+        tell(i, ring_deed::repaired);
         break;
     default: at.state_is_unknown = false;
     }
@@ -273,7 +381,7 @@ void ring::write(ring_place& at, std::uint16_t address, std::uint16_t value) {
     ethercat::frame_builder made{frame, 0xEE};
     made.add(ethercat::command::apwr, 0, address, ethercat::esc_word{value});
     const auto whole = made.finish();
-    at.arm->pass(*whole, world_.now(), at.frozen);
+    at.unit->pass(*whole, world_.now(), at.frozen);
 }
 
 } // namespace simulation

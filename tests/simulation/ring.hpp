@@ -2,6 +2,7 @@
 #pragma once
 
 #include "simulation/arm_unit.hpp"
+#include "simulation/drive_unit.hpp"
 #include "simulation/world.hpp"
 
 #include <array>
@@ -30,6 +31,13 @@ enum class ring_deed : std::uint16_t {
     odd_watchdog,  ///< divider << 16 | time
     al_state,      ///< the slave is in it
     unknown_state, ///< milliseconds that its state cannot be read
+    frame_doubled, ///< microseconds until it comes again
+    frame_damaged, ///< bytes that are left of it; 0: a slave discards it
+    swapped,       ///< the actor with which it changes places
+    doubled,       ///< the actor whose station address it gets
+    drive_fault,   ///< milliseconds that its cause is there
+    unpowered,     ///< milliseconds that the power stage has no supply
+    repaired,      //
 };
 
 /// Who sends frames and gets them back.
@@ -53,8 +61,10 @@ struct ring_place {
     std::uint8_t number{}; ///< of the actor
     std::uint16_t station{};
     bool cyclic{};
-    std::unique_ptr<arm_unit> arm{};
-    bool frozen{}, away{}, state_is_unknown{};
+    std::unique_ptr<device> unit{};
+    arm_unit* arm{};     ///< nullptr: it is none
+    drive_unit* drive{}; ///< nullptr: it is none
+    bool frozen{}, away{}, state_is_unknown{}, has_drive_fault{};
     std::uint8_t recount{}; ///< added to the mailbox counter of its new messages
     std::array<std::byte, 16> last_reply{};
     std::uint8_t last_reply_recount{}; ///< a message that is asked for again is the same
@@ -66,11 +76,18 @@ struct ring_place {
 
 class ring final : public actor {
   public:
-    /// `moved(place, command)`: the efforts in force of a slave are set.
-    ring(world& w, std::function<void(std::size_t, command_number)> moved) : world_{w}, moved_{std::move(moved)} {}
+    /// `moved(slave, axis, command)`: the efforts in force of a slave are set. `is_rough`: its slaves are swapped and
+    /// get addresses of others, its frames are damaged and doubled.
+    ring(world& w, std::function<void(std::size_t, std::size_t, command_number)> moved, bool is_rough)
+        : world_{w}, moved_{std::move(moved)}, is_rough_{is_rough} {}
 
     /// The next slave; before `start`.
-    void add(std::string name, std::uint16_t station, bool cyclic);
+    void add_arm(std::string name, std::uint16_t station, bool cyclic);
+    /// `first_joint`: the number in its arm of the first of 1 or 2 axes.
+    void add_drive(std::string name, std::uint16_t station, std::size_t axes, std::size_t first_joint);
+    [[nodiscard]] static constexpr std::uint32_t serial_of(std::size_t i) noexcept {
+        return 1000 + static_cast<std::uint32_t>(i);
+    }
     void start(frame_user& user);
 
     void send(bytes frame);
@@ -79,30 +96,41 @@ class ring final : public actor {
     [[nodiscard]] const ring_place& operator[](std::size_t i) const noexcept { return places_[i]; }
     /// Whatever is wrong with a slave for longest; nothing where it can be commanded, and stops by itself if it is not.
     [[nodiscard]] std::optional<trouble> trouble_of(std::size_t i) const;
+    /// Whether another slave is where it was at the start.
+    [[nodiscard]] bool is_elsewhere(std::size_t i) const noexcept { return order_[i] != i; }
 
     void on_event(std::uint8_t what, std::uint32_t argument) override;
 
   private:
     enum : std::uint8_t { returns, tick, trial, repair };
+    static constexpr std::uint32_t is_copy = 1U << 31U; ///< of the argument of `returns`
     struct flight {
         std::size_t size{};
         std::array<std::byte, ethercat::max_frame_size> bytes{};
     };
 
+    void add(std::string name, std::uint16_t station, bool cyclic);
     void tell(std::size_t place, ring_deed what, std::uint32_t value = 0);
-    void pass(std::span<std::byte> frame);
+    /// Until the place in the ring where the frame is damaged.
+    void pass(std::span<std::byte> frame, std::size_t end);
     void alter(ring_place& at, std::span<std::byte> frame);
     void look(ring_place& at);
+    [[nodiscard]] std::size_t position_of(std::size_t i) const noexcept;
     [[nodiscard]] bool is_reachable(std::size_t i) const noexcept;
+    void try_later(fault kind);
     void suffer(fault kind);
+    void suffer_of_drive(fault kind, std::size_t i, time some);
+    void swap(std::size_t i, std::size_t other);
     void mend(fault kind, std::size_t i);
     void write(ring_place& at, std::uint16_t address, std::uint16_t value);
     void give_odd_watchdog(std::size_t i);
 
     world& world_;
-    std::function<void(std::size_t, command_number)> moved_;
+    std::function<void(std::size_t, std::size_t, command_number)> moved_;
+    bool is_rough_;
     frame_user* user_{};
     std::vector<ring_place> places_{};
+    std::vector<std::size_t> order_{}; ///< which slave is at each place of the cable
     std::optional<std::size_t> cable_out_before_{};
     std::vector<std::unique_ptr<flight>> flights_{};
     std::vector<std::uint32_t> free_{};

@@ -25,6 +25,14 @@ std::string ring_text(const happening& one, const std::vector<std::string>& name
                std::to_string(one.value & 0xFFFFU);
     case ring_deed::al_state:
         return name + " is in " + jauscat::text::to_text(static_cast<ethercat::al_state>(one.value));
+    case ring_deed::frame_doubled: return "a frame comes back again " + value + " us later";
+    case ring_deed::frame_damaged:
+        return one.value == 0 ? "a frame is damaged and discarded by a slave" : value + " bytes of a frame come back";
+    case ring_deed::swapped: return name + " and " + names[one.value] + " change places";
+    case ring_deed::doubled: return name + " gets the station address of " + names[one.value];
+    case ring_deed::drive_fault: return name + " has a fault whose cause is there for " + value + " ms";
+    case ring_deed::unpowered: return name + ": its power stage has no supply for " + value + " ms";
+    case ring_deed::repaired: return name + ": the cause of its fault is gone";
     case ring_deed::unknown_state: return name + ": its AL state cannot be read for " + value + " ms";
     }
     return name + ": something happens";

@@ -4,6 +4,7 @@
 #include <boost/program_options.hpp>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -29,6 +30,7 @@ with 1.
 Examples:
   simulate --for 60                    new seeds for a minute
   simulate --hours 10                  ten simulated hours
+  simulate --hours 10 --system drives  the same of rings of drives alone
   simulate --seed 4711                 one seed, again
   simulate --seed 4711 --whole         the same with all that happened in the end
   simulate --hours 1 --without process-frozen --without clock-leap
@@ -64,13 +66,15 @@ fault_set faults_of(const po::variables_map& values) {
 /// All that the runs have shown so far.
 struct totals {
     std::mutex mutex{};
-    double simulated{}; ///< seconds
+    double simulated{};                             ///< seconds
+    std::array<double, 1 + system_count> of_each{}; ///< the same by system
     std::uint64_t steps{}, runs{};
     fault_counts faults{};
     unsigned violations{};
 
     void add(const run_result& one) {
         simulated += std::chrono::duration<double>(one.length).count();
+        of_each[static_cast<std::size_t>(one.system)] += std::chrono::duration<double>(one.length).count();
         steps += one.steps;
         ++runs;
         for (std::size_t i = 0; i != fault_count; ++i) faults[i] += one.faults[i];
@@ -98,6 +102,10 @@ void show_progress(totals& all, wall::time_point begin) {
 }
 
 void show_faults(const totals& all) {
+    std::printf("simulated hours:\n");
+    for (std::size_t i = 1; i != all.of_each.size(); ++i)
+        std::printf("  %-18s %12.3f\n", std::string{name_of(static_cast<system_kind>(i))}.c_str(),
+                    all.of_each[i] / 3600);
     std::printf("faults:\n");
     for (std::size_t i = 0; i != fault_count; ++i)
         std::printf("  %-18s %12llu\n", std::string{fault_names[i]}.c_str(),
@@ -166,7 +174,7 @@ int start(int argc, char** argv) {
         ("seed", po::value<std::uint64_t>(), "only this seed")
         ("from", po::value<std::uint64_t>(), "the first seed; without it a random one, which is printed")
         ("seconds", po::value<long>()->default_value(120), "simulated seconds of each seed")
-        ("system", po::value<std::string>()->default_value("any"), "jaus, mailbox, cyclic or mixed; any: the seed says")
+        ("system", po::value<std::string>()->default_value("any"), "jaus, mailbox, cyclic, mixed, drives or robot; any: the seed says")
         ("jobs", po::value<unsigned>()->default_value(std::max(std::thread::hardware_concurrency(), 1U)), "threads")
         ("only", po::value<std::vector<std::string>>(), "only this kind of fault; may be given several times")
         ("without", po::value<std::vector<std::string>>(), "without this kind of fault")
@@ -194,7 +202,7 @@ int start(int argc, char** argv) {
                    .jobs = std::max(values["jobs"].as<unsigned>(), 1U),
                    .each = {.length = std::chrono::seconds{values["seconds"].as<long>()}, .faults = faults_of(values)}};
     const auto system = system_of(values["system"].as<std::string>());
-    if (!system) throw std::runtime_error{"--system is any, jaus, mailbox, cyclic or mixed"};
+    if (!system) throw std::runtime_error{"--system is any, jaus, mailbox, cyclic, mixed, drives or robot"};
     chosen.each.system = *system;
     if (values.count("seed") != 0) {
         chosen.first_seed = values["seed"].as<std::uint64_t>();

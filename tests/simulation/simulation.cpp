@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -34,11 +35,11 @@ class jaus_system {
         add<robot>(0U);
         add<robot>(1U);
         const auto some_robot = [&] { return static_cast<std::uint8_t>(2 + random.below(2)); };
-        add<operator_program>(2U, component_of(some_robot(), 33));
-        add<operator_program>(3U, component_of(some_robot(), 33));
+        add<operator_program>(2U, target_unit{component_of(some_robot(), 33)});
+        add<operator_program>(3U, target_unit{component_of(some_robot(), 33)});
         const auto robot_of_foreign = some_robot();
         processes_.push_back(std::make_unique<foreign_operator>(
-            w, network_, model_, component_of(5, 32), component_of(robot_of_foreign, 33),
+            w, network_, model_, component_of(5, 32), target_unit{component_of(robot_of_foreign, 33)},
             static_cast<std::uint8_t>(robot_of_foreign - 2), places_[4].name));
         network_.start();
         for (auto& one : processes_)
@@ -61,38 +62,80 @@ class jaus_system {
     memory_watch memory_{world_};
 };
 
-/// A bridge with four slaves, and operators of both kinds.
+using units = std::vector<unit_settings>;
+
+/// Four slaves, a component each.
+units make_arms(system_kind kind, generator& random) {
+    units made;
+    for (std::size_t i = 0; i != 4; ++i) {
+        const bool either = random.below(2) == 0;
+        made.push_back(
+            {.slaves = {i}, .cyclic = kind == system_kind::cyclic || (kind == system_kind::mixed && either)});
+    }
+    const bool are_all_cyclic = std::ranges::all_of(made, &unit_settings::cyclic);
+    for (auto& each : made) each.limit = are_all_cyclic ? bridging::at_rest_in_cycles : bridging::at_rest_by_mailbox;
+    return made;
+}
+
+/// 2 to 8 slaves: arms of 1 to 6 drives with one axis, or up to 4 with two, which lie on the ring one after the other
+/// or in between others; in a robot also other arms.
+units make_drives(system_kind kind, generator& random) {
+    const std::size_t count = 2 + random.below(7);
+    std::vector<std::size_t> free(count);
+    std::iota(free.begin(), free.end(), std::size_t{});
+    if (random.below(3) == 0)
+        for (std::size_t i = count; i > 1; --i) std::swap(free[i - 1], free[random.below(i)]);
+    units made;
+    while (!free.empty()) {
+        const bool is_drive = kind == system_kind::drives || made.empty() || random.below(2) == 0;
+        constexpr std::array<std::size_t, 5> sizes{1, 2, 3, 4, 6};
+        auto size = is_drive ? sizes[random.below(sizes.size())] : 1;
+        if (size > free.size()) size = 1;
+        unit_settings one{.slaves = {free.begin(), free.begin() + static_cast<std::ptrdiff_t>(size)},
+                          .cyclic = is_drive || random.below(2) == 0,
+                          .axes = is_drive ? 1 + std::size_t{size <= 4 && random.below(3) == 0} : 0};
+        one.limit = one.cyclic ? bridging::at_rest_in_cycles : bridging::at_rest_by_mailbox;
+        free.erase(free.begin(), free.begin() + static_cast<std::ptrdiff_t>(size));
+        made.push_back(std::move(one));
+    }
+    return made;
+}
+
+/// A bridge with a ring, and operators of both kinds.
 class bridge_system {
   public:
-    static constexpr std::size_t slaves = 4;
-
     bridge_system(world& w, const settings& what, system_kind kind)
         : network_{w},
           wire_{w,
-                [this](std::size_t i, command_number command) {
-                    if (bridge_) bridge_->moved(i, command);
-                }},
+                [this](std::size_t i, std::size_t axis, command_number command) {
+                    if (bridge_) bridge_->moved(i, axis, command);
+                },
+                has_drives(kind)},
           model_{w, network_} {
         auto random = w.stream(1000);
-        bridge_settings made{};
-        for (std::size_t i = 0; i != slaves; ++i) {
-            const auto station = static_cast<std::uint8_t>(2 + i);
-            const bool either = random.below(2) == 0;
-            made.cyclic.push_back(kind == system_kind::cyclic || (kind == system_kind::mixed && either));
-            wire_.add("arm " + std::to_string(i), station, made.cyclic.back());
-            places_.push_back({"node of arm " + std::to_string(i), {0, 0, station, arm_unit::subsystem}});
+        bridge_settings made{.units = has_drives(kind) ? make_drives(kind, random) : make_arms(kind, random)};
+        if (has_drives(kind)) {
+            constexpr std::array periods{5, 10, 20};
+            made.period = std::chrono::milliseconds{periods[random.below(periods.size())]};
+            made.checks_serials = true;
+        }
+        add_slaves(made.units);
+        for (const auto& each : made.units) {
+            const auto node = station_of(each.slaves.front());
+            places_.push_back({"node of arm " + std::to_string(places_.size()), {0, 0, node, arm_unit::subsystem}});
         }
         places_.push_back({"operator a", subsystem(1)});
         places_.push_back({"operator b", subsystem(4)});
         places_.push_back({"foreign operator", {0, 32, 1, 5}});
         bridge_ = std::make_unique<bridge_program>(w, network_, model_, places_, wire_, made);
-        const auto arm = [&] { return static_cast<std::uint8_t>(random.below(slaves)); };
-        const auto unit = [](std::uint8_t i) {
-            return jaus::address{1, 33, static_cast<std::uint8_t>(2 + i), arm_unit::subsystem};
+        const auto arm = [&] { return static_cast<std::uint8_t>(random.below(made.units.size())); };
+        const auto unit = [&](std::uint8_t i) {
+            const auto node = station_of(made.units[i].slaves.front());
+            return target_unit{{1, 33, node, arm_unit::subsystem}, made.units[i].joints()};
         };
         for (std::size_t i = 0; i != 2; ++i)
             operators_.push_back(
-                std::make_unique<operator_program>(w, network_, model_, places_, slaves + i, unit(arm())));
+                std::make_unique<operator_program>(w, network_, model_, places_, made.units.size() + i, unit(arm())));
         const auto of_foreign = arm();
         operators_.push_back(std::make_unique<foreign_operator>(w, network_, model_, component_of(5, 32),
                                                                 unit(of_foreign), of_foreign, places_.back().name));
@@ -109,6 +152,25 @@ class bridge_system {
     }
 
   private:
+    [[nodiscard]] static bool has_drives(system_kind kind) {
+        return kind == system_kind::drives || kind == system_kind::robot;
+    }
+    [[nodiscard]] static std::uint8_t station_of(std::size_t slave) { return static_cast<std::uint8_t>(2 + slave); }
+    void add_slaves(const units& all) {
+        const auto count = std::accumulate(all.begin(), all.end(), std::size_t{},
+                                           [](std::size_t sum, const auto& each) { return sum + each.slaves.size(); });
+        for (std::size_t i = 0; i != count; ++i) {
+            const auto whose = std::ranges::find_if(
+                all, [i](const unit_settings& each) { return std::ranges::count(each.slaves, i) != 0; });
+            const auto place = std::ranges::find(whose->slaves, i) - whose->slaves.begin();
+            if (whose->axes == 0)
+                wire_.add_arm("arm " + std::to_string(i), station_of(i), whose->cyclic);
+            else
+                wire_.add_drive("drive " + std::to_string(i), station_of(i), whose->axes,
+                                static_cast<std::size_t>(place) * whose->axes);
+        }
+    }
+
     network network_;
     ring wire_;
     model model_;
@@ -126,18 +188,24 @@ bool is_chatter(deed what) {
 
 } // namespace
 
+namespace {
+constexpr std::array<std::string_view, 1 + system_count> system_names{"any",   "jaus",   "mailbox", "cyclic",
+                                                                      "mixed", "drives", "robot"};
+}
+
+std::string_view name_of(system_kind kind) { return system_names[static_cast<std::size_t>(kind)]; }
+
 std::optional<system_kind> system_of(const std::string& name) {
-    constexpr std::array<std::string_view, 5> names{"any", "jaus", "mailbox", "cyclic", "mixed"};
-    const auto found = std::ranges::find(names, name);
-    if (found == names.end()) return std::nullopt;
-    return static_cast<system_kind>(found - names.begin());
+    const auto found = std::ranges::find(system_names, name);
+    if (found == system_names.end()) return std::nullopt;
+    return static_cast<system_kind>(found - system_names.begin());
 }
 
 run_result run(const settings& what) {
     world w{what.seed, what.faults};
     run_result result{};
     auto kind = what.system;
-    if (kind == system_kind::any) kind = static_cast<system_kind>(1 + w.stream(2000).below(4));
+    if (kind == system_kind::any) kind = static_cast<system_kind>(1 + w.stream(2000).below(system_count));
     if (kind == system_kind::jaus) {
         const jaus_system system{w, what};
         w.run(what.length);
@@ -145,6 +213,7 @@ run_result run(const settings& what) {
         const bridge_system system{w, what, kind};
         w.run(what.length);
     }
+    result.system = kind;
     result.broken = w.broken();
     result.length = w.now();
     result.steps = w.steps();

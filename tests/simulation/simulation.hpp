@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace simulation {
@@ -18,7 +19,11 @@ enum class system_kind : std::uint8_t {
     mailbox, ///< a bridge with slaves by mailbox
     cyclic,  ///< a bridge with slaves by process data
     mixed,   ///< a bridge with both
+    drives,  ///< a bridge with arms of 1 to 8 joints: up to 8 drives in a ring
+    robot,   ///< a bridge with all of these in one ring
 };
+inline constexpr unsigned system_count = 6; ///< without `any`
+[[nodiscard]] std::string_view name_of(system_kind kind);
 [[nodiscard]] std::optional<system_kind> system_of(const std::string& name);
 
 /// What is simulated.
@@ -34,7 +39,8 @@ struct settings {
 /// What became of it.
 struct run_result {
     std::optional<violation> broken{};
-    time length{}; ///< simulated
+    system_kind system{}; ///< not `any`
+    time length{};        ///< simulated
     std::uint64_t steps{};
     std::uint64_t digest{};
     fault_counts faults{};

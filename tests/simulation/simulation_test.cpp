@@ -1,5 +1,6 @@
 // The simulation itself: a seed is the whole run, faults strike, a violation becomes a story.
 #include "simulation/memory_watch.hpp"
+#include "simulation/messages.hpp"
 #include "simulation/simulation.hpp"
 #include "simulation/world.hpp"
 #include "support/catch.hpp"
@@ -45,6 +46,29 @@ TEST_CASE("switching one kind of fault off does not change the probability of th
         REQUIRE(all.strikes(fault::datagram_doubled, 100'000) == fewer.strikes(fault::datagram_doubled, 100'000));
     }
     REQUIRE(fewer.counts()[static_cast<std::size_t>(fault::datagram_lost)] == 0);
+}
+
+TEST_CASE("the velocity of each joint says which command it is of") {
+    for (const command_number command : {1U, 2U, 1990U, 3999U})
+        for (std::size_t joint = 0; joint != most_joints; ++joint) {
+            REQUIRE(command_of_velocity(velocity_of(command, joint), joint) == command);
+            REQUIRE(command_of_velocity(velocity_of(command, joint), joint + 2) != command);
+            REQUIRE_FALSE(command_of_velocity(velocity_of(command, joint) + 2, joint));
+        }
+    REQUIRE_FALSE(command_of_velocity(0, 0));
+}
+
+TEST_CASE("each kind of fault occurs in rings of drives and arms") {
+    fault_counts sum{};
+    for (std::uint64_t seed = 1; seed != 9; ++seed) {
+        const auto result = run({.seed = seed, .length = 30s, .system = system_kind::robot});
+        REQUIRE_FALSE(result.broken);
+        for (std::size_t i = 0; i != fault_count; ++i) sum[i] += result.faults[i];
+    }
+    for (std::size_t i = 0; i != fault_count; ++i) {
+        INFO(fault_names[i]);
+        CHECK(sum[i] != 0);
+    }
 }
 
 TEST_CASE("events of one instant are executed in the order in which they were added") {

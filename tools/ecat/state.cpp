@@ -21,7 +21,10 @@ al_state parse_goal(std::string text) {
     if (text == "preop") return al_state::pre_op;
     if (text == "boot") return al_state::boot;
     if (text == "safeop") return al_state::safe_op;
-    if (text == "op") throw usage_error{"OP needs a master's cyclic exchange: use a master, or the program cyclic"};
+    if (text == "op")
+        throw usage_error{
+            "OP needs a master's cyclic exchange: use a master, or the program cyclic, which holds outputs of "
+            "0; watch shows inputs in SAFE-OP, too"};
     throw usage_error{"'" + text + "' is no state: expected init, pre-op, boot or safe-op"};
 }
 

@@ -24,8 +24,12 @@ enum class bus_errc : std::uint8_t {
     no_slaves,       ///< frames return, but no slave has taken part
     no_such_slave,   ///< no slave is as required
     ambiguous,       ///< several slaves are as required
-    too_many_slaves, ///< the bus has more than 16
+    too_many_slaves, ///< the bus has more than 256
     wrong_slave,     ///< another slave than before, or than required, is at the position
+    missing_slave,   ///< the named slave is not on the bus
+    doubled_slave,   ///< several slaves are as the options say of the named one
+    swapped_slave,   ///< the named slave is at another place, or another named one is at its place
+    foreign_slave,   ///< another device is in the place of the named slave
     slave_lost,      ///< the slave does not answer to its address: it was reset, or a cable behind another slave is out
     no_objects,      ///< the slave has no CoE mailbox
     not_taken,       ///< the slave does not read its mailbox
@@ -54,6 +58,12 @@ enum class bus_errc : std::uint8_t {
     case bus_errc::ambiguous: return "several slaves are as required: name one by its position or its alias";
     case bus_errc::too_many_slaves: return "a bus has at most 256 slaves";
     case bus_errc::wrong_slave: return "another slave than the required one is at the position: check order and wiring";
+    case bus_errc::missing_slave: return "the slave is missing: check cabling, power and its alias";
+    case bus_errc::doubled_slave:
+        return "several slaves have its alias, identification or identity: change it in all but one";
+    case bus_errc::swapped_slave: return "the slave is at another place: exchange the cables, or correct the position";
+    case bus_errc::foreign_slave:
+        return "another device is in the place of the slave: check vendor, product, revision, serial";
     case bus_errc::slave_lost: return "the slave does not answer to its address: check its power and its cables";
     case bus_errc::no_objects: return "the slave has no CoE mailbox, and so no objects";
     case bus_errc::not_taken: return "the slave does not read its mailbox: check that it is in PRE-OP or higher";

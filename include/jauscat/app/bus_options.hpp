@@ -2,6 +2,7 @@
 #pragma once
 #include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
+#include <jauscat/net/config/slave_entry.hpp>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace jauscat {
 inline namespace JAUSCAT_WAY {
@@ -33,6 +35,9 @@ struct passing_frame {
 
 /// All options have defaults.
 struct bus_options {
+    /// The slaves that are expected, by name: those of a configuration file, `config.me().ethercat->slaves`, or of the
+    /// program. Another slave in the place of one is refused. Without any, all slaves are taken as they are found.
+    std::vector<net::slave_entry> slaves{};
     duration timeout{std::chrono::seconds{5}};        ///< of an operation, once it has begun
     duration start_timeout{std::chrono::seconds{30}}; ///< of async_start
     /// Each slave's state is read so often, and its emergencies are collected. 0: never. Slaves of a bridge are watched
@@ -105,7 +110,7 @@ class device_name {
 struct slave_choice {
     std::optional<std::uint16_t> position{}; ///< in the ring, from 0
     std::optional<std::uint16_t> alias{};    ///< configured station alias, 1 to 65535
-    device_name name{};                      ///< device name, object 1008h
+    device_name name{};                      ///< in bus_options::slaves, or else the device name, object 1008h
     required_identity identity{};
 
     friend bool operator==(const slave_choice&, const slave_choice&) = default;
@@ -113,10 +118,11 @@ struct slave_choice {
 
 /// What a bus knows of a slave.
 struct slave_info {
-    std::uint16_t position{}; ///< in the ring, from 0
-    std::uint16_t station{};  ///< station address
-    std::uint16_t alias{};    ///< configured station alias; 0: none
-    std::string name{};       ///< object 1008h; empty: it has none
+    std::uint16_t position{};      ///< in the ring, from 0
+    std::uint16_t station{};       ///< station address
+    std::uint16_t alias{};         ///< configured station alias; 0: none
+    std::string configured_name{}; ///< in bus_options::slaves; empty: none
+    std::string name{};            ///< object 1008h; empty: it has none
     std::uint32_t vendor{};
     std::uint32_t product{};
     std::uint32_t revision{};

@@ -19,7 +19,7 @@ struct slave_options {
     bool cyclic{};                       ///< runs in OP: what fits its process data goes by them
     ethercat::identity_check expected{}; ///< another slave is not brought up
     std::uint8_t node{};                 ///< JAUS node of its components; 0: the station address
-    /// Cyclic, and in PRE-OP already, by another job of the master: it is not brought up, also not after a loss.
+    /// In PRE-OP already, by another job of the master: it is not brought up, also not after a loss.
     bool is_taken_over{};
 };
 
@@ -31,9 +31,13 @@ struct bridge_options {
     duration period{};
     /// A slave in OP without new outputs for so long stops by itself. Written to every cyclic slave, and read back.
     duration watchdog{};
-    /// A slave is lost if its state has not been read for this time; a cyclic slave also if it has not exchanged
-    /// process data in OP for this time.
+    /// A slave is lost if its state has not been read in the cycles of this time; a cyclic slave also if it has not
+    /// exchanged process data in OP in them. Time in which no cycle took place, because this program did not run, does
+    /// not count.
     duration longest_silence{};
+    /// The oldest inputs from which a query is answered, by the clock, and the time that a slave has to execute what is
+    /// in its outputs.
+    duration data_limit{};
     /// Interval between checks of the slaves' states, while no slave has process data.
     duration check_interval{};
     /// A Report Heartbeat Pulse is written to a slave by mailbox that has got no message for so long: it stops by
@@ -45,8 +49,8 @@ struct bridge_options {
     duration bring_up_interval{std::chrono::milliseconds{500}};
     /// Interval between attempts of a stop order that the slave refuses; see pending_stops.
     duration stop_interval{std::chrono::milliseconds{20}};
-    /// A job of the master for another slave that delays a stop order for longer is cancelled. If it was a transfer,
-    /// that slave is lost.
+    /// A job of others for the same slave, or the transfers of other slaves where they occupy all lanes of the ring,
+    /// may delay a stop order for so long; then one is cancelled. The slave of a cancelled transfer is lost.
     duration stop_timeout{std::chrono::milliseconds{50}};
     /// A message that still waits for its slave after so long is refused.
     duration order_timeout{std::chrono::milliseconds{500}};
@@ -58,14 +62,16 @@ inline constexpr std::chrono::milliseconds at_rest_in_cycles{100};
 
 /// Options that bring an actuator to rest within `limit` after its controller, the link, the slave's state or this
 /// program is lost; docs/safety.md has the sum of the times. `period`: of the process data, 0 for none; `limit` is at
-/// least 4 of them.
+/// least 4 of them. With process data a slave may be silent for 50 ms at most, or two periods.
 [[nodiscard]] constexpr bridge_options at_rest_within(duration limit, duration period = {}) noexcept {
     constexpr auto second = duration{std::chrono::seconds{1}};
     return {.master = {.state_timeout = second, .mailbox_timeout = std::max<duration>(limit / 2, second / 4)},
             .period = period,
             .watchdog = limit * 9 / 10, // a slave takes time to notice that it has expired
-            .longest_silence = limit * 4 / 5,
-            .check_interval = limit / 5,
+            .longest_silence =
+                period == duration{} ? limit * 3 / 5 : std::min<duration>(limit / 2, std::max(second / 20, 2 * period)),
+            .data_limit = limit * 4 / 5,
+            .check_interval = limit / 10,
             .keep_alive = std::min<duration>(limit / 5, second / 10),
             .control_timeout = limit * 7 / 10};
 }

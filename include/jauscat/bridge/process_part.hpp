@@ -3,6 +3,7 @@
 #include <jauscat/base/result.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/bridge/pending_stops.hpp>
+#include <jauscat/ethercat/master/jobs.hpp>
 #include <jauscat/ethercat/master/slave_status.hpp>
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/translate/table.hpp>
@@ -50,6 +51,13 @@ class process_part {
   public:
     virtual ~process_part() = default;
 
+    /// Objects of a slave of the group that have to be right before its process data are set up: in PRE-OP they are
+    /// written where they differ, and read back: up to 64 bytes each. Those that the slave does not have are passed
+    /// over. The same for each call with these arguments; valid until the next call.
+    [[nodiscard]] virtual std::span<const ethercat::init_command> start_up([[maybe_unused]] std::size_t slave,
+                                                                           [[maybe_unused]] duration period) {
+        return {};
+    }
     /// All slaves are in OP with current inputs; the cycles have this period, or a shorter one once another user of the
     /// bus needs it. What was before does not count: no command or stop order waits. Error: the data are not as this
     /// part needs them; a slave is then brought up anew.

@@ -3,7 +3,8 @@
 #pragma once
 #include <jauscat/base/time.hpp>
 #include <jauscat/bridge/component.hpp>
-#include <jauscat/ethercat/hilscher/packet_job.hpp>
+#include <jauscat/bridge/message_lane.hpp>
+#include <jauscat/bridge/ring_memory.hpp>
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/master/process_data.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
@@ -28,50 +29,6 @@ struct shared_jobs {
     jaus::hook<void()> cycle{};
 };
 
-/// A slave of a ring; the ring's own.
-struct ring_place {
-    enum class phase : std::uint8_t {
-        absent,     // next: bring_up
-        pre_op,     // cyclic: next is configure
-        configured, // next: SAFE-OP
-        safe_op,    // next: OP; its process data are exchanged from here on
-        settling,   // in OP; until its inputs are there
-        up,
-    };
-
-    slave_front* front{};
-    phase at{};
-    ethercat::master_error bring_up{};
-    time_point next_try = time_point::min();
-    time_point next_keep_alive{};
-    time_point last_seen{}; // in a state in which it can be commanded
-    time_point settling_until{};
-    bool takes_keep_alive{true};
-    bool has_reply{};
-    std::span<std::byte> outputs{}; // in data_, if it is exchanged
-    std::span<const std::byte> inputs{};
-    const ethercat::slave_status* status{};
-};
-
-/// What a ring keeps in memory of the user, for as many slaves as each span has elements.
-struct ring_memory {
-    std::span<ring_place> places{};
-    std::span<ethercat::slave_record> records{};
-    std::span<ethercat::slave_record> exchanged{}; ///< those in the process data
-    std::span<ethercat::process_slot> slots{};
-    std::span<std::byte> image{}; ///< all outputs and inputs, up to 64 KiB
-};
-
-/// Memory for up to `Slaves` slaves and `Bytes` of process data.
-template <std::size_t Slaves, std::size_t Bytes> struct ring_memory_for {
-    std::array<ring_place, Slaves> places{};
-    std::array<ethercat::slave_record, Slaves> records{}, exchanged{};
-    std::array<ethercat::process_slot, Slaves> slots{};
-    std::array<std::byte, Bytes> image{};
-
-    [[nodiscard]] ring_memory spans() noexcept { return {places, records, exchanged, slots, image}; }
-};
-
 /// Other work on the same link goes by the same master, in turn with the slaves' jobs: see `share`.
 ///
 /// Call `on_time` at `next_event()` and after the components have received messages, and `on_frame` for each received
@@ -88,6 +45,7 @@ class ring {
           master_{memory.records},
           data_{memory.slots, memory.image.first(std::min(memory.image.size(), max_image))},
           memory_{memory.places},
+          lanes_{memory.lanes},
           records_{memory.exchanged} {}
     ring(const ring&) = delete;
     ring& operator=(const ring&) = delete;
@@ -106,10 +64,10 @@ class ring {
         const auto found = std::ranges::find(places(), &front, &place::front);
         if (found == places().end()) return;
         place* const gone = &*found;
+        if (auto* const lane = lane_of(*gone)) lane->drop(master_);
         if (work_ != work::none && work_ != work::shared && served_ == gone) {
             master_.cancel(ethercat::master_errc::timeout);
             work_ = work::none;
-            job_.reset();
         } else if (served_ > gone) {
             --served_;
         }
@@ -123,6 +81,7 @@ class ring {
         auto config = options_.master;
         config.logical_base = logical_base_;
         master_.set_config(config);
+        for (message_lane& each : lanes_) each.master().set_config(config);
     }
 
     /// Jobs of others. Those that reset slaves of this ring (scan, bring_up, change_state) end their work as a loss
@@ -140,36 +99,44 @@ class ring {
     /// Takes a frame that arrived. False if it was not waited for: it may be another master's.
     bool on_frame(bytes frame, time_point now, jaus::message_sink out) {
         const bool waited = data_.waits();
-        const bool was_taken = data_.on_frame(frame) || master_.on_frame(frame, now);
+        const bool was_taken = data_.on_frame(frame) || take(frame, now);
         is_step_due_ = is_step_due_ || (waited && !data_.waits());
-        on_time(now, out);
+        turn(now, out);
         return was_taken;
     }
+    /// After all frames that have arrived, so that none of them counts as lost.
     void on_time(time_point now, jaus::message_sink out) {
-        last_turn_ = now;
-        if (!has_begun_) begin(now);
-        master_.on_time(now);
-        watch_cycles(now, out);
-        refuse_expired(now, out);
-        use_process_data(now, out);
-        stop_what_hinders(now);
-        while (master_.idle() && advance(now, out)) {}
+        if (is_cycle_due(now)) end_cycle(now);
+        turn(now, out);
     }
     /// Writes the next frame to `frame`, which holds 1514 bytes, and returns its size; 0 when there is nothing to send
     /// now.
     [[nodiscard]] std::size_t next_frame(std::span<std::byte> frame, time_point now) {
-        if (cycles() && now >= next_cycle_) {
+        if (is_cycle_due(now)) {
+            end_cycle(now);
+            is_cycle_ended_ = false;
+            cycle_begun_ = now;
             // Missed cycles are skipped.
             next_cycle_ = std::max(next_cycle_ + interval(), now + interval() / 2);
             is_step_due_ = is_step_due_ || data_.waits(); // a frame of the last cycle is lost
             data_.begin_cycle();
         }
+        sender_ = nullptr;
         if (const auto size = data_.next_frame(frame, now)) return size;
         if (cycles() && next_cycle_ - now <= reserve()) return 0; // the process data must not wait behind it
-        return master_.next_frame(frame, now);
+        const auto send = [&](ethercat::master& from) {
+            const auto size = from.next_frame(frame, now);
+            if (size != 0) sender_ = &from;
+            return size;
+        };
+        for (message_lane& each : lanes_)
+            if (const auto size = send(each.master())) return size;
+        return send(master_);
     }
     /// The link has not sent the last frame.
-    void not_sent() noexcept { master_.cancel(ethercat::master_errc::not_sent); }
+    void not_sent() noexcept {
+        if (sender_ != nullptr) sender_->cancel(ethercat::master_errc::not_sent);
+    }
 
     /// When `on_time` or `next_frame` will next have something to do, if nothing arrives first.
     [[nodiscard]] std::optional<time_point> next_event() const {
@@ -177,19 +144,26 @@ class ring {
         const auto consider = [&](std::optional<time_point> other) {
             if (other && (!next || *other < *next)) next = other;
         };
-        if (!master_.idle()) {
+        const auto consider_frame = [&](const ethercat::master& from) {
             // A frame may be overdue and still delayed in favour of the process data.
-            if (const auto frame = master_.next_event()) {
-                const auto at = std::max(*frame, last_turn_);
-                consider(cycles() && next_cycle_ - at <= reserve() ? std::max(at, next_cycle_) : at);
-            }
-            if (const auto hindered = hindered_until()) consider(*hindered);
-        }
+            const auto frame = from.next_event();
+            if (!frame) return;
+            const auto at = std::max(*frame, last_turn_);
+            consider(cycles() && next_cycle_ - at <= reserve() ? std::max(at, next_cycle_) : at);
+        };
+        consider_frame(master_);
+        for (const message_lane& each : lanes_) consider_frame(each.master());
+        if (const auto hindered = hindered_until()) consider(*hindered);
         if (cycles()) consider(next_cycle_);
         for (const place& each : places()) {
             consider(each.front->orders().next_expiry());
-            if (each.at == phase::up) consider(saturating_add(each.last_seen, longest_silence(each)));
-            if (master_.idle()) consider(next_work_of(each));
+            if (each.at != phase::up) {
+                if (master_.idle() && !is_carried(each)) consider(next_work_of(each));
+            } else if (!master_.serves(each.front->station())) {
+                if (const auto from = lane_from(each)) {
+                    if (const auto next_work = next_work_of(each)) consider(std::max(*next_work, *from));
+                }
+            }
         }
         return next;
     }
@@ -207,11 +181,21 @@ class ring {
             for (component* unit : each.front->components()) unit->shut_down(now, out);
     }
 
-    /// Whether what the master does now only keeps a slave from stopping: nothing that a log needs.
+    /// Whether what goes on now only keeps slaves from stopping: nothing that a log needs.
     [[nodiscard]] bool keeps_alive() const noexcept {
-        return work_ == work::message && purpose_ == purpose::keep_alive;
+        const auto is_busy = [](const message_lane& each) { return each.is_busy(); };
+        return master_.idle() && std::ranges::any_of(lanes_, is_busy) &&
+               std::ranges::all_of(lanes_, [&](const message_lane& each) {
+                   return !is_busy(each) || each.current().what == purpose::keep_alive;
+               });
     }
     [[nodiscard]] const ethercat::master& master() const noexcept { return master_; }
+    /// Of all frames but those of the process data.
+    [[nodiscard]] ethercat::master_statistics statistics() const noexcept {
+        auto sum = master_.statistics();
+        for (const message_lane& each : lanes_) sum += each.master().statistics();
+        return sum;
+    }
     [[nodiscard]] const ethercat::process_data& process_data() const noexcept { return data_; }
     /// Why the last attempt to bring the slave up has failed; ok if it has not.
     [[nodiscard]] const ethercat::master_error& bring_up_error(const slave_front& front) const noexcept {
@@ -223,22 +207,18 @@ class ring {
   private:
     static constexpr unsigned window_bits = 16; // holds every image
     static constexpr std::size_t max_image = std::size_t{1} << window_bits;
-    static constexpr std::size_t message_size = jaus::header_size + jaus::max_body_size;
 
     using place = ring_place;
     using phase = place::phase;
     // Purpose of the master's current job.
-    enum class work : std::uint8_t { none, scan, bring_up, configure, safe_op, op, collect, message, shared };
-    enum class purpose : std::uint8_t { order, stop, keep_alive };
+    enum class work : std::uint8_t { none, scan, bring_up, start_up, configure, safe_op, op, place, shared };
+    using purpose = message_lane::purpose;
 
     [[nodiscard]] std::span<place> places() noexcept { return memory_.first(place_count_); }
     [[nodiscard]] std::span<const place> places() const noexcept { return memory_.first(place_count_); }
     [[nodiscard]] bool cycles() const noexcept { return exchanged_ != 0; }
     [[nodiscard]] duration interval() const noexcept {
         return has_process_data_ ? options_.period : options_.check_interval;
-    }
-    [[nodiscard]] static duration longest_silence(const place& at) noexcept {
-        return at.front->timing().longest_silence;
     }
     [[nodiscard]] duration reserve() const noexcept { return has_process_data_ ? options_.period / 4 : duration{}; }
 
@@ -251,7 +231,28 @@ class ring {
         auto config = options_.master;
         config.logical_base = logical_base_;
         master_.reset(config);
+        for (message_lane& each : lanes_) each.master().reset(config);
         has_begun_ = true;
+    }
+
+    void turn(time_point now, jaus::message_sink out) {
+        if (!has_begun_) begin(now);
+        drop_after_pause(now);
+        last_turn_ = now;
+        master_.on_time(now);
+        for (message_lane& each : lanes_) each.master().on_time(now);
+        watch_cycles(now, out);
+        refuse_expired(now, out);
+        use_process_data(now, out);
+        stop_what_hinders(now);
+        while ((master_.idle() && advance(now, out)) || carry(now, out)) {}
+    }
+    // All of them send frames to this link.
+    bool take(bytes frame, time_point now) {
+        const auto is_taken = [&](message_lane& each) { return each.master().take(frame, now); };
+        const auto is_late = [&](message_lane& each) { return each.master().claim(frame); };
+        if (std::ranges::any_of(lanes_, is_taken) || master_.take(frame, now)) return true;
+        return !std::ranges::any_of(lanes_, is_late) && master_.on_frame(frame, now);
     }
 
     // ---- The master's next job, in the order of urgency.
@@ -262,13 +263,11 @@ class ring {
             complete(now, out);
             return true;
         }
-        for (place& each : places())
-            if (begin_stop(each, now, out)) return true;
         // Round robin: no slave waits for more than one job of each of the others. The last turn is the shared jobs'.
         const std::size_t turns = place_count_ + 1;
         for (std::size_t i = 0; i != turns; ++i) {
             const auto turn = (last_served_ + 1 + i) % turns;
-            if (turn == place_count_ ? !begin_shared() : !begin_other(memory_[turn], now, out)) continue;
+            if (turn == place_count_ ? !begin_shared() : !begin_step(memory_[turn], now)) continue;
             last_served_ = turn;
             return true;
         }
@@ -285,24 +284,14 @@ class ring {
         shared_.done(master_);
     }
 
-    bool begin_stop(place& at, time_point now, jaus::message_sink out) {
-        if (!at.front->up()) return false;
-        for (component* unit : at.front->components()) {
-            const auto what = unit->stops().next();
-            if (!what || unit->stops().next_attempt() > now || stops_by_process_data(*unit, *what)) continue;
-            unit_ = unit;
-            stop_ = *what;
-            const auto size = unit->stop_message(*what, message_);
-            begin_message(at, purpose::stop, size, now, out);
-            return true;
-        }
-        return false;
-    }
-
-    bool begin_other(place& at, time_point now, jaus::message_sink out) {
+    // The next step of a slave that is not up.
+    bool begin_step(place& at, time_point now) {
+        if (is_carried(at)) return false; // a transfer from before its loss ends first
         switch (at.at) {
         case phase::absent: return now >= at.next_try && !at.front->options().is_taken_over && begin_bring_up(at);
         case phase::pre_op:
+            if (!at.front->options().cyclic) return reach_pre_op(at), true; // it was taken over
+            if (const auto* const object = next_start_up_object(at)) return begin_start_up(at, *object);
             return begin_job(at, work::configure,
                              ethercat::configure{at.front->station(), at.front->timing().watchdog});
         case phase::configured:
@@ -310,12 +299,18 @@ class ring {
                              ethercat::change_state{at.front->station(), ethercat::al_state::safe_op});
         case phase::safe_op:
             return begin_job(at, work::op, ethercat::change_state{at.front->station(), ethercat::al_state::op});
-        case phase::settling: return false;
+        case phase::in_state: return begin_place_check(at);
+        case phase::settling:
         case phase::up: break;
         }
-        if (at.has_reply) return begin_job(at, work::collect, ethercat::collect_emergencies{at.front->station()});
-        if (begin_order(at, now, out)) return true;
-        return begin_keep_alive(at, now, out);
+        return false;
+    }
+    // All jobs go to its station, which another master may have given to another slave.
+    bool begin_place_check(place& at) {
+        const auto position = master_.find(at.front->station())->position;
+        return begin_job(at, work::place,
+                         ethercat::exchange_datagram{ethercat::command::aprd, static_cast<std::uint16_t>(-position),
+                                                     ethercat::esc_registers::station_address.address, place_value_});
     }
 
     template <ethercat::master_job Job> bool begin_job(place& at, work what, const Job& job) {
@@ -331,74 +326,57 @@ class ring {
         return begin_job(at, work::bring_up,
                          ethercat::bring_up{slave.position, slave.identity.station, slave.expected});
     }
-    // Nothing that moves the actuator goes before a stop order that it has not confirmed.
-    [[nodiscard]] static bool is_held_back(const order& each) noexcept {
-        return each.unit->stops().next() && !is_query(each.header);
+    // One list after the other: those of all parts that have process data of the slave.
+    [[nodiscard]] const ethercat::init_command* next_start_up_object(const place& at) const {
+        std::size_t which = at.start_up_object;
+        for (const component* unit : at.front->components()) {
+            auto* const process = unit->process();
+            if (process == nullptr) continue;
+            const auto fronts = process->fronts();
+            const auto slave = static_cast<std::size_t>(std::ranges::find(fronts, at.front) - fronts.begin());
+            const auto objects = process->part().start_up(slave, options_.period);
+            if (which < objects.size()) return &objects[which];
+            which -= objects.size();
+        }
+        return nullptr;
     }
-    [[nodiscard]] static bool may_go_by_mailbox(const order& each) {
-        return !is_held_back(each) && !goes_by_process_data(each);
+    bool begin_start_up(place& at, const ethercat::init_command& object) {
+        if (at.start_up == place::start_up_step::write)
+            return begin_job(
+                at, work::start_up,
+                ethercat::download{at.front->station(), object.index, object.subindex, object.data, object.options});
+        return begin_job(at, work::start_up,
+                         ethercat::upload{at.front->station(), object.index, object.subindex, start_up_value_});
     }
-    bool begin_order(place& at, time_point now, jaus::message_sink out) {
-        auto& orders = at.front->orders();
-        const order* const next = orders.first(may_go_by_mailbox);
-        if (next == nullptr) return false;
-        unit_ = next->unit;
-        order_ = *next;
-        jaus::header head = order_.header;
-        head.destination = unit_->self(); // also where all of a level are meant
-        const auto made = jaus::join(head, orders.body(*next), message_);
-        orders.remove(*next);
-        begin_message(at, purpose::order, made ? made->size() : 0, now, out);
-        return true;
+    void started_up(place& at, const ethercat::master_error& error, time_point now, jaus::message_sink out) {
+        using step = place::start_up_step;
+        const auto next = [&at] {
+            ++at.start_up_object;
+            at.start_up = step::read;
+        };
+        const auto* const object = next_start_up_object(at);
+        if (object == nullptr) return;
+        if (error != ethercat::master_error{}) {
+            const bool is_absent =
+                error.code == ethercat::master_errc::sdo_abort &&
+                (error.abort == ethercat::abort_code::no_object || error.abort == ethercat::abort_code::no_subindex);
+            if (is_absent && at.start_up == step::read) return next();
+            return set_up(at, error, phase::pre_op, now, out);
+        }
+        if (at.start_up == step::write) {
+            at.start_up = step::verify;
+        } else if (const auto is = master_.result<ethercat::upload>(); is && std::ranges::equal(*is, object->data)) {
+            next();
+        } else if (at.start_up == step::read) {
+            at.start_up = step::write;
+        } else {
+            const auto command = static_cast<std::uint16_t>(at.start_up_object);
+            set_up(at, {.code = ethercat::master_errc::object_not_kept, .command = command}, phase::pre_op, now, out);
+        }
     }
-    bool begin_keep_alive(place& at, time_point now, jaus::message_sink out) {
-        if (at.front->options().cyclic || at.front->timing().keep_alive == duration{} || !at.takes_keep_alive ||
-            now < at.next_keep_alive || at.front->components().empty())
-            return false;
-        unit_ = at.front->components().front();
-        const auto message_bytes = jaus::make_message({.destination = unit_->self(), .source = unit_->self()},
-                                                      jaus::report_heartbeat_pulse{}, message_);
-        begin_message(at, purpose::keep_alive, message_bytes->size(), now, out);
-        return true;
-    }
-
-    void begin_message(place& at, purpose what, std::size_t size, time_point now, jaus::message_sink out) {
-        served_ = &at;
-        work_ = work::message;
-        purpose_ = what;
-        take_step(exchange().begin(std::span{message_}.first(size), packet_), now, out);
-    }
-    [[nodiscard]] any_exchange& exchange() const noexcept { return served_->front->exchange(); }
-    // A request packet is executed by the master; any other step ends the exchange.
-    void take_step(const exchange_step& step, time_point now, jaus::message_sink out) {
-        if (step.what != exchange_progress::request) return end_message(step, now, out);
-        const auto packet = std::span{packet_}.first(step.size);
-        tell_packet(packet);
-        job_.emplace(packet, confirmation_, ethercat::packet_options{.download = options_.download});
-        if (!job_->start(master_)) confirm(now, out);
-    }
-    void confirm(time_point now, jaus::message_sink out) {
-        const auto size = job_->finish(master_);
-        take_step(exchange().on_confirmation(std::span{confirmation_}.first(size), packet_), now, out);
-    }
-    void tell_packet(bytes packet) const {
-        if (purpose_ == purpose::keep_alive) return;
-        const auto& watcher = served_->front->watcher();
-        hilscher::packet_header head{};
-        static_cast<void>(wire::decode_prefix(head, packet));
-        if (head.ul_cmd == hilscher::packet_command::sdo_upload_req)
-            watcher.asks_report(*served_->front, packet);
-        else
-            watcher.translated(*served_->front, packet);
-    }
-
     // ---- What its end means.
 
     void complete(time_point now, jaus::message_sink out) {
-        if (work_ == work::message) {
-            if (job_->next(master_)) return;
-            return confirm(now, out);
-        }
         if (work_ == work::shared) {
             work_ = work::none;
             return end_shared();
@@ -408,10 +386,11 @@ class ring {
         switch (std::exchange(work_, work::none)) {
         case work::scan: return cleared(at, master_.result<ethercat::scan>().value_or(0));
         case work::bring_up: return brought_up(at, result, now);
+        case work::start_up: return started_up(at, result, now, out);
         case work::configure: return set_up(at, result, phase::configured, now, out);
         case work::safe_op: return set_up(at, result, phase::safe_op, now, out);
-        case work::op: return set_up(at, result, phase::settling, now, out);
-        case work::collect: at.has_reply = false; return tell_emergencies(at);
+        case work::op: return set_up(at, result, phase::in_state, now, out);
+        case work::place: return placed(at, result, now, out);
         default: return;
         }
     }
@@ -427,11 +406,27 @@ class ring {
         at.next_try = saturating_add(now, at.front->timing().bring_up_interval);
         if (error != ethercat::master_error{}) return at.front->watcher().bring_up_failed(*at.front, error);
         is_cleared_ = true;
+        reach_pre_op(at);
+    }
+    void reach_pre_op(place& at) {
         at.takes_keep_alive = true;
         at.has_reply = false;
-        at.at = at.front->options().cyclic ? phase::pre_op : phase::up;
-        at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), at.at == phase::up);
-        if (at.at == phase::up) ready(at, now);
+        at.at = at.front->options().cyclic ? phase::pre_op : phase::in_state;
+        if (at.at == phase::pre_op) at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), false);
+    }
+    void placed(place& at, ethercat::master_error error, time_point now, jaus::message_sink out) {
+        ethercat::esc_word station{};
+        if (error == ethercat::master_error{} &&
+            (*master_.result<ethercat::exchange_datagram>() != 1 || !wire::decode(station, place_value_) ||
+             station.value != at.front->station()))
+            error = {.code = ethercat::master_errc::wrong_station, .station = at.front->station()};
+        if (error != ethercat::master_error{}) {
+            at.bring_up = error;
+            return lose(at, loss::no_station, error, now, out);
+        }
+        if (at.front->options().cyclic) return set_up(at, {}, phase::settling, now, out);
+        at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), true);
+        ready(at, now);
     }
     void set_up(place& at, const ethercat::master_error& error, phase next, time_point now, jaus::message_sink out) {
         if (error != ethercat::master_error{}) {
@@ -444,11 +439,157 @@ class ring {
     }
     void ready(place& at, time_point now) {
         at.at = phase::up;
-        at.last_seen = now;
+        at.silence = {};
         if (!at.front->options().cyclic) rebuild_process_data(now);
         at.front->set_up(true);
         for (component* unit : at.front->components())
             if (unit->is_up()) unit->on_slave_up();
+    }
+    // ---- Messages by mailbox: a lane for each slave that gets one. The longest transfer, and a slave that does not
+    // answer, occupy their own lane only.
+
+    [[nodiscard]] message_lane* lane_of(const place& at) const noexcept {
+        const auto found = std::ranges::find(lanes_, at.front, &message_lane::front);
+        return found == lanes_.end() ? nullptr : &*found;
+    }
+    [[nodiscard]] bool is_carried(const place& at) const noexcept {
+        const auto* const lane = lane_of(at);
+        return lane != nullptr && lane->is_busy();
+    }
+    // A lane for a slave: the one it had, or one in which no frame of another slave is left.
+    [[nodiscard]] message_lane* free_lane(const place& at, time_point now) const noexcept {
+        if (auto* const own = lane_of(at)) return own->is_busy() ? nullptr : own;
+        const auto found = std::ranges::find_if(
+            lanes_, [&](const message_lane& each) { return !each.is_busy() && now >= each.master().settled_at(); });
+        return found == lanes_.end() ? nullptr : &*found;
+    }
+    // When it has one, if that can be said.
+    [[nodiscard]] std::optional<time_point> lane_from(const place& at) const noexcept {
+        if (const auto* const own = lane_of(at)) return own->is_busy() ? std::nullopt : std::optional{last_turn_};
+        std::optional<time_point> first;
+        for (const message_lane& each : lanes_)
+            if (!each.is_busy()) first = std::min(first.value_or(time_point::max()), each.master().settled_at());
+        return first;
+    }
+
+    // True where something was done and there may be more.
+    bool carry(time_point now, jaus::message_sink out) {
+        bool is_changed = false;
+        for (message_lane& each : lanes_)
+            if (each.advance()) {
+                end_message(each, now, out);
+                is_changed = true;
+            }
+        for (place& each : places()) is_changed = begin_stop(each, now) || is_changed;
+        for (std::size_t i = 0; i != place_count_; ++i) {
+            const auto turn = (last_carried_ + 1 + i) % place_count_;
+            if (!begin_other(memory_[turn], now)) continue;
+            last_carried_ = turn;
+            is_changed = true;
+        }
+        return is_changed;
+    }
+    bool begin_stop(place& at, time_point now) {
+        if (!at.front->up() || master_.serves(at.front->station())) return false;
+        for (component* unit : at.front->components()) {
+            const auto what = unit->stops().next();
+            if (!what || unit->stops().next_attempt() > now || stops_by_process_data(*unit, *what)) continue;
+            auto* const lane = free_lane(at, now);
+            if (lane == nullptr) return false;
+            const auto size = unit->stop_message(*what, lane->message());
+            return begin_message(*lane, {at.front, purpose::stop, unit, *what, {}}, size);
+        }
+        return false;
+    }
+    bool begin_other(place& at, time_point now) {
+        if (at.at != phase::up || master_.serves(at.front->station())) return false;
+        auto* const lane = free_lane(at, now);
+        if (lane == nullptr) return false;
+        if (at.has_reply) return begin_message(*lane, {.front = at.front, .what = purpose::emergencies}, 0);
+        return begin_order(at, *lane) || begin_keep_alive(at, *lane, now);
+    }
+    // Nothing that moves the actuator goes before a stop order that it has not confirmed.
+    [[nodiscard]] static bool is_held_back(const order& each) noexcept {
+        return each.unit->stops().next() && !is_query(each.header);
+    }
+    [[nodiscard]] static bool may_go_by_mailbox(const order& each) {
+        return !is_held_back(each) && !goes_by_process_data(each);
+    }
+    bool begin_order(place& at, message_lane& lane) {
+        auto& orders = at.front->orders();
+        const order* const next = orders.first(may_go_by_mailbox);
+        if (next == nullptr) return false;
+        const order taken = *next;
+        jaus::header head = taken.header;
+        head.destination = taken.unit->self(); // also where all of a level are meant
+        const auto made = jaus::join(head, orders.body(*next), lane.message());
+        orders.remove(*next);
+        return begin_message(lane, {at.front, purpose::order, taken.unit, {}, taken}, made ? made->size() : 0);
+    }
+    bool begin_keep_alive(place& at, message_lane& lane, time_point now) {
+        if (at.front->options().cyclic || at.front->timing().keep_alive == duration{} || !at.takes_keep_alive ||
+            now < at.next_keep_alive || at.front->components().empty())
+            return false;
+        auto* const unit = at.front->components().front();
+        const auto made = jaus::make_message({.destination = unit->self(), .source = unit->self()},
+                                             jaus::report_heartbeat_pulse{}, lane.message());
+        return begin_message(lane, {at.front, purpose::keep_alive, unit, {}, {}}, made->size());
+    }
+    bool begin_message(message_lane& lane, const message_lane::task& what, std::size_t size) {
+        lane.begin(what, size, master_, {.download = options_.download});
+        return true;
+    }
+
+    void end_message(message_lane& lane, time_point now, jaus::message_sink out) {
+        const auto& task = lane.current();
+        const auto ended = lane.take_outcome(master_);
+        place& at = *std::ranges::find(places(), task.front, &place::front);
+        if (task.what == purpose::emergencies) {
+            at.has_reply = false;
+            return tell_emergencies(at);
+        }
+        const auto& exchange = at.front->exchange();
+        const refusal_reason why{.why = exchange.error() != translate::errc::ok ? refusal::not_translated
+                                                                                : refusal::by_slave,
+                                 .error = exchange.error(),
+                                 .status = exchange.status(),
+                                 .of_master = ended.error};
+        const bool answers = ended.is_done || is_of_slave(ended.error);
+        if (answers) at.next_keep_alive = saturating_add(now, at.front->timing().keep_alive);
+        switch (task.what) {
+        case purpose::order: end_order(task, ended, why, now, out); break;
+        case purpose::stop: end_stop(task, ended.is_done, why, now, out); break;
+        default:
+            if (ended.is_done || !answers) break;
+            at.takes_keep_alive = false;
+            at.front->watcher().no_keep_alive(*at.front, why);
+        }
+        tell_emergencies(at);
+        if (!answers) lose(at, loss::no_answer, ended.error, now, out);
+    }
+    // The slave has refused, and so is present.
+    static bool is_of_slave(const ethercat::master_error& error) noexcept {
+        using enum ethercat::master_errc;
+        return error.code == ok || error.code == sdo_abort || error.code == clear_refused ||
+               error.code == mailbox_error || error.code == data_too_long;
+    }
+    static void end_order(const message_lane::task& task, const message_lane::outcome& ended, const refusal_reason& why,
+                          time_point now, jaus::message_sink out) {
+        if (!ended.is_done) return task.unit->on_not_executed(task.message.header, why, now, out);
+        if (!ended.report.empty()) out(ended.report);
+        task.unit->on_executed(task.message.header, now, out);
+    }
+    static void end_stop(const message_lane::task& task, bool was_executed, const refusal_reason& why, time_point now,
+                         jaus::message_sink out) {
+        // A confirmation from before the slave's loss does not count: the order is sent again when the slave is back.
+        if (was_executed && !task.front->up()) return;
+        if (was_executed) return task.unit->on_confirmed(task.stop, now, out);
+        using enum ethercat::abort_code;
+        const auto code = why.of_master.abort;
+        const bool is_unknown =
+            (why.of_master.code == ethercat::master_errc::sdo_abort && (code == no_object || code == no_subindex)) ||
+            why.error == translate::errc::unknown_index;
+        task.unit->on_refused(task.stop, is_unknown, why, now, out);
     }
     void tell_emergencies(place& at) {
         const auto* const record = master_.find(at.front->station());
@@ -457,82 +598,46 @@ class ring {
         master_.clear_emergencies(at.front->station());
     }
 
-    void end_message(const exchange_step& step, time_point now, jaus::message_sink out) {
-        work_ = work::none;
-        place& at = *served_;
-        const bool was_executed = step.what == exchange_progress::done;
-        const auto error = job_ ? job_->error() : ethercat::master_error{};
-        const refusal_reason why{.why = exchange().error() != translate::errc::ok ? refusal::not_translated
-                                                                                  : refusal::by_slave,
-                                 .error = exchange().error(),
-                                 .status = exchange().status(),
-                                 .of_master = error};
-        const bool answers = was_executed || is_of_slave(error);
-        if (answers) at.next_keep_alive = saturating_add(now, at.front->timing().keep_alive);
-        const auto report = std::span{packet_}.first(was_executed ? step.size : 0);
-        job_.reset();
-        switch (purpose_) {
-        case purpose::order: end_order(was_executed, report, why, now, out); break;
-        case purpose::stop: end_stop(was_executed, why, now, out); break;
-        case purpose::keep_alive:
-            if (was_executed || !answers) break;
-            at.takes_keep_alive = false;
-            at.front->watcher().no_keep_alive(*at.front, why);
-            break;
-        }
-        tell_emergencies(at);
-        if (!answers) lose(at, loss::no_answer, error, now, out);
-    }
-    // The slave has refused, and so is present.
-    static bool is_of_slave(const ethercat::master_error& error) noexcept {
-        using enum ethercat::master_errc;
-        return error.code == ok || error.code == sdo_abort || error.code == clear_refused ||
-               error.code == mailbox_error || error.code == data_too_long;
-    }
-    void end_order(bool was_executed, bytes report, const refusal_reason& why, time_point now, jaus::message_sink out) {
-        if (!was_executed) return unit_->on_not_executed(order_.header, why, now, out);
-        if (!report.empty()) out(report);
-        unit_->on_executed(order_.header, now, out);
-    }
-    void end_stop(bool was_executed, const refusal_reason& why, time_point now, jaus::message_sink out) {
-        // A confirmation from before the slave's loss does not count: the order is sent again when the slave is back.
-        if (was_executed && !served_->front->up()) return;
-        if (was_executed) return unit_->on_confirmed(stop_, now, out);
-        using enum ethercat::abort_code;
-        const auto code = why.of_master.abort;
-        const bool is_unknown =
-            (why.of_master.code == ethercat::master_errc::sdo_abort && (code == no_object || code == no_subindex)) ||
-            why.error == translate::errc::unknown_index;
-        unit_->on_refused(stop_, is_unknown, why, now, out);
-    }
-
     // ---- What ends by time.
 
-    // A job that delays a stop order is cancelled; one that is itself a stop order is not.
+    // A job for this slave, or transfers to others in all lanes, that delay a stop order are cancelled; a stop order is
+    // not, nor is a transfer to the same slave.
     [[nodiscard]] std::optional<time_point> hindered_until() const {
         if (!hindered_since_) return std::nullopt;
         return saturating_add(*hindered_since_, options_.stop_timeout);
     }
     void stop_what_hinders(time_point now) {
-        if (!is_hindered(now)) return hindered_since_.reset();
+        const auto* const waiting = hindered(now);
+        if (waiting == nullptr) return hindered_since_.reset();
         if (!hindered_since_) hindered_since_ = now;
         if (now - *hindered_since_ < options_.stop_timeout) return;
         hindered_since_.reset();
         // A late reply could be mistaken for the next one's, so a slave whose transfer is cancelled counts as lost and
         // is brought up again.
-        master_.cancel(ethercat::master_errc::timeout);
+        if (master_.serves(waiting->front->station())) return master_.cancel(ethercat::master_errc::timeout);
+        const auto found = std::ranges::find_if(
+            lanes_, [](const message_lane& each) { return each.is_busy() && each.current().what != purpose::stop; });
+        if (found != lanes_.end()) found->cancel();
     }
-    // A slave waits for a stop order, and the master is busy with something else than a transfer to that slave.
-    [[nodiscard]] bool is_hindered(time_point now) const {
-        if (master_.idle() || (work_ == work::message && purpose_ == purpose::stop)) return false;
-        return std::ranges::any_of(places(), [&](const place& each) {
-            if (!each.front->up() || (work_ == work::message && &each == served_)) return false;
-            return std::ranges::any_of(each.front->components(), [&](const component* unit) {
-                const auto what = unit->stops().next();
-                return unit->stops().stop_is_pending() && unit->stops().next_attempt() <= now &&
-                       !stops_by_process_data(*unit, *what);
-            });
+    [[nodiscard]] const place* hindered(time_point now) const {
+        const auto waits = [&](const component* unit) {
+            const auto what = unit->stops().next();
+            return unit->stops().stop_is_pending() && unit->stops().next_attempt() <= now &&
+                   !stops_by_process_data(*unit, *what);
+        };
+        const auto found = std::ranges::find_if(places(), [&](const place& each) {
+            return each.front->up() && !is_carried(each) &&
+                   (master_.serves(each.front->station()) || free_lane(each, now) == nullptr) &&
+                   std::ranges::any_of(each.front->components(), waits);
         });
+        return found == places().end() ? nullptr : &*found;
+    }
+    // After a pause of this program a command would be requested again, and reach the slave too late.
+    void drop_after_pause(time_point now) {
+        for (message_lane& each : lanes_)
+            if (each.is_busy() && each.current().what == purpose::order &&
+                now - last_turn_ >= each.current().front->timing().data_limit)
+                each.cancel();
     }
     void refuse_expired(time_point now, jaus::message_sink out) {
         for (place& each : places())
@@ -547,7 +652,8 @@ class ring {
         case phase::absent: return at.front->options().is_taken_over ? std::nullopt : std::optional{at.next_try};
         case phase::pre_op:
         case phase::configured:
-        case phase::safe_op: return time_point::min();
+        case phase::safe_op:
+        case phase::in_state: return time_point::min();
         case phase::settling: return at.settling_until;
         case phase::up: break;
         }
@@ -566,6 +672,8 @@ class ring {
         if (at.at == phase::absent) return; // its last job has ended only now
         const bool was_up = at.front->up();
         at.at = phase::absent;
+        at.start_up_object = 0;
+        at.start_up = {};
         at.next_try = was_up ? now : saturating_add(now, at.front->timing().bring_up_interval);
         std::array<bool, component_capacity> were_up{};
         std::ranges::transform(at.front->components(), were_up.begin(), [](auto* unit) { return unit->is_up(); });
@@ -579,9 +687,8 @@ class ring {
                 [&](const order& each) { unit.on_not_executed(each.header, {.why = refusal::slave_down}, now, out); });
             if (were_up[i]) unit.on_slave_lost(now, out);
         }
-        // A pending command would be requested again, and reach a slave that returns.
-        if (work_ == work::message && purpose_ == purpose::order && served_ == &at)
-            master_.cancel(ethercat::master_errc::timeout);
+        // A pending message would be requested again, and reach a slave that returns.
+        if (is_carried(at)) lane_of(at)->cancel();
         rebuild_process_data(now);
     }
 
@@ -599,6 +706,7 @@ class ring {
         }
         data_.set_slaves(records_.first(count), {.watch_slaves = true, .logical_base = logical_base_});
         has_process_data_ = data_.image().size != 0;
+        cycle_begun_.reset(); // its frames are forgotten
         if (exchanged_ == 0 || next_cycle_ > saturating_add(now, interval())) next_cycle_ = now;
         exchanged_ = count;
         for (place& each : places()) {
@@ -638,7 +746,6 @@ class ring {
                 continue;
             }
             if (each.at != phase::up) continue;
-            if (const auto last = last_working(each, seen)) each.last_seen = std::max(each.last_seen, *last);
             each.has_reply = seen.reply_waiting;
             show_data(each);
             const ethercat::master_error state{.code = ethercat::master_errc::al_error, .al_status = seen.al.code};
@@ -648,8 +755,21 @@ class ring {
                 lose(each, loss::no_station, {.code = ethercat::master_errc::duplicate_station}, now, out);
             else if (seen.condition != silent && !works_in(each, seen.al.state))
                 lose(each, loss::left_state, state, now, out);
-            else if (now - each.last_seen >= longest_silence(each))
+            else if (each.silence >= each.front->timing().longest_silence)
                 lose(each, loss::no_answer, {.code = ethercat::master_errc::no_reply}, now, out);
+        }
+    }
+    // Silence is counted in cycles, each at most as long as it is to be: the time in which this program did not run is
+    // none of the slave's.
+    [[nodiscard]] bool is_cycle_due(time_point now) const noexcept { return cycles() && now >= next_cycle_; }
+    void end_cycle(time_point now) {
+        if (std::exchange(is_cycle_ended_, true)) return;
+        if (!cycle_begun_) return;
+        const auto lasted = std::min(now - *cycle_begun_, interval());
+        for (place& each : places()) {
+            if (each.at != phase::up || each.status == nullptr) continue;
+            const auto last = last_working(each, *each.status);
+            each.silence = last && *last >= *cycle_begun_ ? duration{} : each.silence + lasted;
         }
     }
     // A slave by mailbox need not be in OP.
@@ -706,7 +826,7 @@ class ring {
         const auto what = is_awaited ? *next : stop_order::rest;
         const auto waiting = process.waiting_stop();
         if (waiting == what || waiting == stop_order::emergency || (process.has_rest_outputs() && !is_awaited)) return;
-        const auto limit = is_awaited ? std::optional{unit.front().timing().longest_silence} : std::nullopt;
+        const auto limit = is_awaited ? std::optional{unit.front().timing().data_limit} : std::nullopt;
         const auto number = process.stop(what, limit, now, [&](const jaus::header& head) {
             unit.on_not_executed(head, {.why = refusal::stopped}, now, out);
         });
@@ -731,14 +851,14 @@ class ring {
     std::optional<refusal_reason> put_command(component& unit, process_channel& process, const jaus::header& head,
                                               bytes body, time_point now) {
         if (process.is_full()) return refusal_reason{.why = refusal::queue_full};
-        const auto number = process.command(head, body, unit.front().timing().longest_silence, now);
+        const auto number = process.command(head, body, unit.front().timing().data_limit, now);
         if (!number) return refusal_reason{.why = refusal::not_translated, .error = number.error()};
         unit.front().watcher().into_image(unit.front(), *number, unit.front().data().outputs);
         return std::nullopt;
     }
     void answer(component& unit, process_channel& process, const jaus::header& query, bytes body, time_point now,
                 jaus::message_sink out) {
-        if (!process.has_inputs_within(unit.front().timing().longest_silence, now))
+        if (!process.has_inputs_within(unit.front().timing().data_limit, now))
             return unit.on_not_executed(query, {.why = refusal::stale}, now, out);
         jaus::header head = query;
         head.destination = unit.self();                          // also where all of a level are meant
@@ -777,37 +897,38 @@ class ring {
     ethercat::master master_;
     ethercat::process_data data_;
     std::span<place> memory_;
+    std::span<message_lane> lanes_;
     std::span<ethercat::slave_record> records_;
     std::size_t place_count_{};
-    std::size_t last_served_{};
-    std::size_t exchanged_{}; // slaves in the cyclic exchange
-    bool has_process_data_{}; // some of them; else it only reads their states
-    bool is_cleared_{};       // the slaves, of what an earlier master has left in them
+    std::size_t last_served_{};  // by the master
+    std::size_t last_carried_{}; // by a lane
+    ethercat::master* sender_{}; // of the last frame; none for process data
+    std::size_t exchanged_{};    // slaves in the cyclic exchange
+    bool has_process_data_{};    // some of them; else it only reads their states
+    bool is_cleared_{};          // the slaves, of what an earlier master has left in them
     bool has_begun_{};
     bool is_step_due_{}; // a cycle has ended
     std::uint32_t logical_base_{};
     time_point last_turn_{};
     time_point next_cycle_{};
+    std::optional<time_point> cycle_begun_{}; // the last one; none where its slaves were others
+    bool is_cycle_ended_{};                   // ... and what it has found counts
 
     work work_{};
     place* served_{};
-    purpose purpose_{};
-    component* unit_{};
-    stop_order stop_{};
-    order order_{};
+    std::array<std::byte, 64> start_up_value_{};                              // of the object that is read back
+    std::array<std::byte, wire::max_size<ethercat::esc_word>> place_value_{}; // the station of the slave at a place
     std::optional<time_point> hindered_since_{};
     shared_jobs shared_{};
-    std::optional<ethercat::packet_job> job_{};
-    std::array<std::byte, message_size> message_{};
-    std::array<std::byte, std::max(any_exchange::buffer_size, message_size)> packet_{};
-    std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation_{};
 };
 
-/// A ring with its memory: `ring_for<16, 4096> ring{options}`.
-template <std::size_t Slaves, std::size_t Bytes> class ring_for : private ring_memory_for<Slaves, Bytes>, public ring {
+/// A ring with its memory: `ring_for<16, 4096> ring{options}`; see ring_memory_for.
+template <std::size_t Slaves, std::size_t Bytes, std::size_t Lanes = std::min<std::size_t>(Slaves, 16)>
+class ring_for : private ring_memory_for<Slaves, Bytes, Lanes>, public ring {
+    using memory = ring_memory_for<Slaves, Bytes, Lanes>;
+
   public:
-    explicit ring_for(const bridge_options& options) noexcept
-        : ring{options, ring_memory_for<Slaves, Bytes>::spans()} {}
+    explicit ring_for(const bridge_options& options) noexcept : ring{options, memory::spans()} {}
 };
 
 } // namespace jauscat::bridging

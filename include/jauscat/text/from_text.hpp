@@ -8,36 +8,38 @@
 // Names are those of to_text and JSON. Numbers may carry their unit; enumerators are named or numbered, flags joined by
 // |; bytes are hex; counts may be left out. `error::message` is for the author of the line.
 #pragma once
-#include <jauscat/schema/jaus/catalog.hpp>
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/schema/jaus/command_code.hpp>
 #include <jauscat/text/describe.hpp>
 #include <jauscat/text/error.hpp>
-#include <jauscat/text/filler.hpp>
+#include <jauscat/text/input.hpp>
+#include <jauscat/wire/arena.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
 
 namespace jauscat::text {
 
-/// Fills a message from a tree of names and values. Its lists, texts and bytes lie in `memory`. After an error the
-/// message is valid but unspecified.
+inline namespace JAUSCAT_WAY {
+/// Fills a value-initialised object, of which only the structure is known, from a tree of names and values. Its lists,
+/// texts and bytes lie in `memory`. After an error the object is valid but unspecified.
+[[nodiscard]] JAUSCAT_DECL result<void, error> from_input(const input& in, const structure& type, void* object,
+                                                          wire::arena& memory);
+
+/// From words like `pose[1].pose_time=2.5`, as a shell hands them over, for a value-initialised object.
+[[nodiscard]] JAUSCAT_DECL result<void, error> from_words(std::span<const std::string> words, const structure& type,
+                                                          void* object, wire::arena& memory);
+} // namespace JAUSCAT_WAY
+
+/// `from_input` for a typed message.
 template <wire::message T>
 [[nodiscard]] result<void, error> from_input(const input& in, T& message, wire::arena& memory) {
     message = T{};
-    return detail::filler{memory}.fill(describe<T>(), &message, in);
+    return from_input(in, describe<T>(), &message, memory);
 }
-/// The same for a value-initialised object of which only the structure is known.
-[[nodiscard]] inline result<void, error> from_input(const input& in, const structure& type, void* object,
-                                                    wire::arena& memory) {
-    return detail::filler{memory}.fill(type, object, in);
-}
-
-/// From words like `pose[1].pose_time=2.5`, as a shell hands them over, for a value-initialised object.
-[[nodiscard]] inline result<void, error> from_words(std::span<const std::string> words, const structure& type,
-                                                    void* object, wire::arena& memory) {
-    input tree{.what = input::kind::object};
-    for (const std::string& word : words)
-        if (auto assigned = assign(word, tree); !assigned) return assigned;
-    return from_input(tree, type, object, memory);
-}
-/// The same for a typed message.
+/// `from_words` for a typed message.
 template <wire::message T>
 [[nodiscard]] result<void, error> from_words(std::span<const std::string> words, T& message, wire::arena& memory) {
     message = T{};
@@ -52,46 +54,14 @@ template <wire::message T>
     return from_words(*words, message, memory);
 }
 
+inline namespace JAUSCAT_WAY {
 /// "Set End-Effector Path Motion" to "set_end_effector_path_motion".
-[[nodiscard]] inline std::string snake_case(std::string_view standard_name) {
-    std::string made;
-    for (const char c : standard_name) {
-        const bool upper = c >= 'A' && c <= 'Z';
-        const bool kept = upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-        if (kept)
-            made += upper ? static_cast<char>(c - 'A' + 'a') : c;
-        else if (!made.empty() && made.back() != '_')
-            made += '_';
-    }
-    while (made.ends_with('_')) made.pop_back();
-    return made;
-}
+[[nodiscard]] JAUSCAT_DECL std::string snake_case(std::string_view standard_name);
 
 /// The command code of a message that is named as in its schema, as in the standard, or by its code in hex: 0405,
 /// 0405h, 0x0405. Error: unknown_message.
-[[nodiscard]] inline result<std::uint16_t, error> find_message(std::string_view name) {
-    const auto unknown = [&](const std::string& message) {
-        return error{.code = errc::unknown_message, .value = std::string{name}, .message = message};
-    };
-    std::string_view digits = name;
-    if (digits.starts_with("0x") || digits.starts_with("0X")) digits.remove_prefix(2);
-    if (digits.ends_with('h') || digits.ends_with('H')) digits.remove_suffix(1);
-    std::uint16_t code{};
-    const auto [stop, failed] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
-    if (failed == std::errc{} && stop == digits.data() + digits.size()) {
-        if (std::ranges::find(jaus::catalog, code, &jaus::catalog_entry::command_code) != jaus::catalog.end())
-            return code;
-        return unknown("there is no message with the code " + hex_number(code, 4));
-    }
-    const std::string wanted = snake_case(name);
-    std::vector<std::string> names;
-    for (const jaus::catalog_entry& entry : jaus::catalog) {
-        names.push_back(snake_case(entry.name));
-        if (names.back() == wanted) return entry.command_code;
-    }
-    const std::vector<std::string_view> views{names.begin(), names.end()};
-    return unknown("there is no message '" + std::string{name} + "'" + suggestion(wanted, views));
-}
+[[nodiscard]] JAUSCAT_DECL result<std::uint16_t, error> find_message(std::string_view name);
+} // namespace JAUSCAT_WAY
 
 /// Calls use.template operator()<Message>() for the message type of a code; false where the list has none.
 template <template <class...> class List, class... Messages>
@@ -121,3 +91,7 @@ template <class List>
 }
 
 } // namespace jauscat::text
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/text/impl/from_text.ipp>
+#endif

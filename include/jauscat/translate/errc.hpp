@@ -21,6 +21,7 @@ enum class errc : std::uint8_t {
     fragment_to_slave,        ///< delivery: part of a large data set; reassemble it first
     broadcast_names_no_slave, ///< delivery: the destination node is 255 or 0
     no_capacity,              ///< process image: too many commands wait for their acknowledgement
+    actuator_not_ready,       ///< process data: an emergency, a fault, or no current inputs of a drive
 };
 
 /// The error in one line, for logs.
@@ -40,6 +41,7 @@ enum class errc : std::uint8_t {
     case errc::fragment_to_slave: return "cannot be delivered: part of a large data set, reassemble it first";
     case errc::broadcast_names_no_slave: return "cannot be delivered: the destination node names no slave";
     case errc::no_capacity: return "no capacity: too many commands wait for their acknowledgement";
+    case errc::actuator_not_ready: return "the actuator is not ready: an emergency, a fault, or a drive is silent";
     }
     return "unknown error";
 }

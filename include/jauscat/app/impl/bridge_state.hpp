@@ -127,6 +127,7 @@ class served_slave final : public bus_user {
 
     JAUSCAT_DECL void send(bytes message) override;
     JAUSCAT_DECL void bus_ends() noexcept override;
+    JAUSCAT_DECL void slave_ready() override;
     [[nodiscard]] bridging::slave_front& front() noexcept override { return *front_; }
     [[nodiscard]] const bridging::slave_front& front() const noexcept override { return *front_; }
     [[nodiscard]] JAUSCAT_DECL std::uint8_t node() const noexcept override;
@@ -149,6 +150,10 @@ class served_slave final : public bus_user {
 
     void found(std::uint16_t position, const ethercat::identity_check& expected);
     void retry();
+    /// Waits for a slave of the bus's options.
+    void await(named_slave& which);
+    /// Later, not within the ring's turn, and only while the bridge works.
+    template <class F> void post(F what);
     void log(std::string_view line);
     /// Logs what an observer of the application is told otherwise.
     void log_event(std::string_view line);

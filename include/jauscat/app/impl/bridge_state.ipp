@@ -258,6 +258,7 @@ JAUSCAT_DECL const bridging::observer& served_slave::watcher() const noexcept {
     return bridge_.watcher ? *bridge_.watcher : nothing;
 }
 JAUSCAT_DECL std::string served_slave::name() const {
+    if (bridge_.bus()->named(which_) != nullptr) return "slave \"" + std::string{which_.name.view()} + '"';
     return "slave " + (which_.position       ? std::to_string(*which_.position)
                        : which_.alias        ? "with the alias " + std::to_string(*which_.alias)
                        : which_.name.empty() ? "with the required identity"
@@ -270,7 +271,8 @@ JAUSCAT_DECL void served_slave::start() {
     front_.emplace(bridging::slave_options{.position = which_.position.value_or(0),
                                            .identity = {.subsystem = node.manager().subsystem, .station = station_},
                                            .cyclic = bridge_.options().period > duration{},
-                                           .node = node.manager().node},
+                                           .node = node.manager().node,
+                                           .is_taken_over = bridge_.bus()->named(which_) != nullptr},
                    *exchange_, bridge_.timing(), memory_, observer());
     works_ = true;
     last_problem_.clear();
@@ -278,6 +280,7 @@ JAUSCAT_DECL void served_slave::start() {
 JAUSCAT_DECL void served_slave::leave() noexcept {
     if (!std::exchange(works_, false)) return;
     timer_.reset();
+    bridge_.bus()->forget(*this);
     if (std::exchange(is_served_, false)) bridge_.bus()->leave(*this);
 }
 
@@ -315,21 +318,38 @@ JAUSCAT_DECL void served_slave::bus_ends() noexcept {
 struct served_slave::search final : operation<> {
     explicit search(served_slave& of) : slave{of}, bridge{of.bridge_.weak_from_this()} {}
     void deliver(error_code) override {
-        const auto still = bridge.lock();
-        if (!still) return;
-        boost::asio::post(still->node().context(), [&of = slave, weak = bridge] {
-            const auto alive = weak.lock();
-            if (!alive) return;
-            const auto locked = alive->bus()->lock();
-            if (of.works_ && !of.is_served_) of.retry();
-        });
+        if (const auto still = bridge.lock())
+            slave.post([&of = slave] {
+                if (!of.is_served_) of.retry();
+            });
     }
     served_slave& slave; ///< lives as long as its bridge
     std::weak_ptr<bridge_state> bridge;
 };
 
+template <class F> void served_slave::post(F what) {
+    boost::asio::post(bridge_.node().context(), [this, what, weak = bridge_.weak_from_this()] {
+        const auto alive = weak.lock();
+        if (!alive) return;
+        const auto locked = alive->bus()->lock();
+        if (works_) what();
+    });
+}
+JAUSCAT_DECL void served_slave::await(named_slave& which) {
+    if (!bridge_.bus()->await(which, *this, station_)) return log(name() + " is not served: another bridge serves it");
+    bridge_.bus()->start_once(std::make_shared<search>(*this));
+}
+JAUSCAT_DECL void served_slave::slave_ready() {
+    post([this] {
+        error_code error;
+        const auto* const slave = bridge_.bus()->find(which_, error);
+        if (!is_served_ && slave != nullptr && slave->is_prepared) found(slave->info.position, {});
+    });
+}
+
 JAUSCAT_DECL void served_slave::find() {
     if (!works_ || is_served_) return;
+    if (auto* const named = bridge_.bus()->named(which_)) return await(*named);
     const auto& id = which_.identity;
     ethercat::identity_check expected{id.vendor, id.product, id.revision, id.serial};
     const bool is_by_position = which_.position && !which_.alias && which_.name.empty();
@@ -341,7 +361,9 @@ JAUSCAT_DECL void served_slave::find() {
 /// The slaves of the bus are known, or not.
 JAUSCAT_DECL void served_slave::retry() {
     error_code error;
-    if (const auto* const slave = bridge_.bus()->find(which_, error)) {
+    const auto* const slave = bridge_.bus()->find(which_, error);
+    if (bridge_.bus()->named(which_) != nullptr && bridge_.bus()->is_started()) return; // `slave_ready` tells
+    if (slave != nullptr) {
         const auto& info = slave->info;
         return found(info.position, {info.vendor, info.product, info.revision, info.serial});
     }
@@ -453,6 +475,12 @@ JAUSCAT_DECL void served_slave::slave_lost(const bridging::slave_front& slave, b
     last_problem_ = error.message();
     log_event(name() + " is lost: " + std::string{text_of(what)} + " (" + last_problem_ + ")");
     bridge_.call_later(&bridge_state::on_lost, which_, error);
+    if (!slave.options().is_taken_over) return;
+    post([this] { // the bus brings it up again
+        if (!std::exchange(is_served_, false)) return;
+        bridge_.bus()->leave(*this);
+        find();
+    });
 }
 JAUSCAT_DECL void served_slave::slave_emergency(const bridging::slave_front& slave,
                                                 const ethercat::coe_emergency& emergency) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <jauscat/app/bus_error.hpp>
 #include <jauscat/app/bus_options.hpp>
+#include <jauscat/app/impl/named_slaves.hpp>
 #include <jauscat/app/impl/numbered.hpp>
 #include <jauscat/app/impl/ring_thread.hpp>
 #include <jauscat/app/object_value.hpp>
@@ -16,6 +17,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace jauscat {
@@ -67,6 +69,8 @@ class bus_user {
     virtual void begin_rest(time_point now, jaus::message_sink out);
     /// Rest is to be waited for. A slave that does not answer is not.
     [[nodiscard]] virtual bool awaits_rest() const;
+    /// The slave that it waits for is in PRE-OP. Called within the ring's turn.
+    virtual void slave_ready() {}
 
     bool was_up{}; ///< the slave answered when the bus was stopped
 };
@@ -79,6 +83,15 @@ struct bus_slave {
     bool is_configured{}; ///< its process data, since it was brought up
     error_code why{};     ///< it is lost
     time_point next_look{};
+
+    // Only where the options name slaves.
+    named_slave* named{};           ///< nullptr: none of the options
+    const named_slave* last_name{}; ///< also of one that is refused now, while it keeps its station address
+    ethercat::slave_identity identity{};
+    bool is_brought_up{};  ///< and has no start-up objects yet
+    bool is_prepared{};    ///< it is that of its name, with its start-up objects since it was brought up
+    bool is_absent{};      ///< it is not in the ring; its position is the last one
+    time_point next_try{}; ///< to bring it up
 };
 
 /// A slave in OP whose process data the application exchanges.
@@ -94,7 +107,7 @@ class operated_slave final : public bus_user {
     /// The operation that waits for OP, or for the end.
     [[nodiscard]] const operation_ptr<>& done() const noexcept { return done_; }
     [[nodiscard]] ethercat::al_state goal() const noexcept { return goal_; }
-    [[nodiscard]] std::uint16_t position() const noexcept { return front_.options().position; }
+    [[nodiscard]] std::uint16_t station() const noexcept { return front_.station(); }
 
     enum class progress : std::uint8_t {
         goes_on,
@@ -146,6 +159,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     static constexpr std::size_t max_object_size = 65536;
     static constexpr std::size_t max_slaves = 256;
     static constexpr std::size_t max_process_data = 32768;
+    static constexpr std::uint16_t first_station = 1001; ///< JAUS nodes are up to 254
 
     bus_state(boost::asio::io_context& context, std::string_view where, bus_options options);
     ~bus_state();
@@ -187,7 +201,14 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     void note_served(bus_user& user, const ethercat::slave_record& record);
     void note_served_lost(bus_user& user, error_code why);
     [[nodiscard]] bool is_serving() const noexcept { return !users_.empty(); }
-    [[nodiscard]] bus_user* user_at(std::uint16_t position) noexcept;
+    /// Of the options; nullptr: `which` is none of them.
+    [[nodiscard]] named_slave* named(const slave_choice& which) noexcept { return named_.find(which.name.view()); }
+    /// Has `which` brought up under this station address. Tells `user` each time when it is in PRE-OP, until `forget`.
+    /// False: another bridge waits for it.
+    [[nodiscard]] bool await(named_slave& which, bus_user& user, std::uint16_t station);
+    void forget(const bus_user& user) noexcept;
+    /// Finds the slaves unless they are known.
+    void start_once(operation_ptr<> done);
 
     [[nodiscard]] boost::asio::io_context& context() noexcept { return context_; }
     [[nodiscard]] auto lock() const { return std::unique_lock{mutex_}; }
@@ -222,8 +243,26 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     void note_outcome(bus_slave& slave, error_code error);
     void note_emergencies(bus_slave& slave, ethercat::master& master);
     void note_emergency(const bus_slave& slave, const ethercat::coe_emergency& emergency);
-    [[nodiscard]] bus_slave* at(std::uint16_t position);
+    [[nodiscard]] bus_slave* at(std::uint16_t station);
+    [[nodiscard]] bus_slave* at_position(std::uint16_t position);
+    [[nodiscard]] named_slaves& names() noexcept { return named_; }
+    [[nodiscard]] bool is_started() const noexcept { return is_started_; }
     void set_started() noexcept { is_started_ = true; }
+
+    // For those that find named slaves.
+    /// All that are not served.
+    void forget_found();
+    [[nodiscard]] std::vector<std::pair<std::uint16_t, std::uint16_t>>
+    note_positions(const ethercat::master& master, std::span<const std::uint16_t> unknown);
+    /// False: it is not.
+    [[nodiscard]] bool note_brought_up(const bus_slave& made, error_code why);
+    /// Gives the slaves their names, and refuses.
+    void match_names();
+    [[nodiscard]] bus_slave* next_to_prepare();
+    void note_prepared(bus_slave& slave, bool is_start);
+    void note_unprepared(bus_slave& slave, error_code why);
+    /// Why a named slave cannot be used that must be there.
+    [[nodiscard]] error_code first_refusal();
 
   private:
     /// Messages of the ring, to the node of their source.
@@ -236,9 +275,21 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     void ask(const slave_choice& which, operation_ptr<Results...> done, Make make, Take take);
     void add(std::unique_ptr<bus_job> job, duration limit);
     struct taking_over;
-    void take_over(std::uint16_t position, const operate_options& options, const operation_ptr<>& done);
+    void take_over(const bus_slave& which, const operate_options& options, const operation_ptr<>& done);
     void run_cycle();
-    void queue_change(std::uint16_t position, ethercat::al_state goal, operation_ptr<> done);
+    void queue_change(std::uint16_t station, ethercat::al_state goal, operation_ptr<> done);
+    /// Slaves that come, go or move are looked for.
+    [[nodiscard]] bool finds_changes() const noexcept;
+    /// It is not another one than it was.
+    [[nodiscard]] bool is_trusted(const bus_slave& slave) const noexcept;
+    /// Its state is read.
+    [[nodiscard]] bool is_watched(const bus_slave& slave) const noexcept;
+    void sort_slaves();
+    [[nodiscard]] bus_slave* slave_of(const named_slave& which) noexcept;
+    void refuse(named_slave& which, error_code why, const bus_slave* by);
+    /// The slave at the place of `which` may be that one; `before` was.
+    [[nodiscard]] static bool may_be(const bus_slave& slave, const named_slave& which, const bus_slave* before);
+    void give_name(bus_slave& slave, named_slave& which, bus_slave* before);
     /// Ends operations that are over.
     void look_at_operated(time_point now);
     void end_operations() noexcept;
@@ -280,8 +331,12 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     std::deque<std::unique_ptr<bus_job>> queue_{};
     std::unique_ptr<bus_job> current_{};
     std::vector<bus_slave> slaves_{};
-    std::string problem_{}; ///< of the link, as it was logged
-    bool looked_last_{};    ///< the last job was a look at a slave
+    named_slaves named_;
+    std::uint16_t next_station_{first_station};
+    bool is_match_due_{};
+    time_point next_find_{}; ///< of named slaves that have come, gone or moved
+    std::string problem_{};  ///< of the link, as it was logged
+    bool looked_last_{};     ///< the last job was a look at a slave
     bool has_seen_master_{}, has_seen_gap_{};
     bool is_started_{};
     bool is_closed_{};

@@ -1,6 +1,7 @@
 // The functions of bus_state, and its jobs.
 #pragma once
 #include <jauscat/app/impl/bus_state.hpp>
+#include <jauscat/app/impl/named_slaves.ipp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 
@@ -51,6 +52,7 @@ JAUSCAT_DECL error_code error_of(const ethercat::master_error& error) noexcept {
     case clock_delay:
     case clock_unsettled:
     case sync_late:
+    case object_not_kept:
     case watchdog_not_kept: return bus_errc::not_configurable;
     case not_configured: return bus_errc::needs_cycles;
     case mailbox_full: return bus_errc::not_taken;
@@ -71,6 +73,8 @@ JAUSCAT_DECL error_code error_of(const ethercat::master_error& error) noexcept {
 }
 
 inline std::string name_of(const slave_info& slave) {
+    if (!slave.configured_name.empty())
+        return "slave \"" + slave.configured_name + "\" at position " + std::to_string(slave.position);
     auto name = "slave " + std::to_string(slave.position);
     if (!slave.name.empty()) name += " (" + slave.name + ")";
     return name;
@@ -90,13 +94,12 @@ inline void identify(bus_slave& slave, const ethercat::slave_record& record) noe
 /// Brings a slave up and reads its alias and its name.
 class slave_identification {
   public:
-    static constexpr std::uint16_t first_station = 1001; // JAUS nodes are up to 254
-
     slave_identification() = default;
     /// Another slave than `required` is not brought up.
-    slave_identification(std::uint16_t position, const ethercat::identity_check& required) : required_{required} {
+    slave_identification(std::uint16_t position, std::uint16_t station, const ethercat::identity_check& required)
+        : required_{required} {
         found.info.position = position;
-        found.info.station = static_cast<std::uint16_t>(first_station + position);
+        found.info.station = station;
     }
 
     /// Of one that is in PRE-OP or higher already.
@@ -179,13 +182,13 @@ class start_job final : public bus_job {
             if (std::exchange(is_identifying_, false)) keep(bus);
             if (found_.size() == count_) break;
             const auto position = static_cast<std::uint16_t>(found_.size());
-            const auto* const known = bus.at(position);
-            if (bus.user_at(position) == nullptr)
-                one_ = {position, {}};
-            else if (known != nullptr && known->is_identified && !known->info.is_lost)
+            const auto* const known = bus.at_position(position);
+            if (known == nullptr || !known->info.is_served)
+                one_ = {position, static_cast<std::uint16_t>(bus_state::first_station + position), {}};
+            else if (known->is_identified && !known->info.is_lost)
                 one_ = slave_identification{*known};
             else { // it is brought up by its bridge
-                found_.push_back(known != nullptr ? *known : bus_slave{});
+                found_.push_back(*known);
                 continue;
             }
             is_identifying_ = true;
@@ -230,13 +233,151 @@ class start_job final : public bus_job {
     error_code error_{};
 };
 
+/// Finds the slaves of a bus whose options name them: those that have come, gone or moved, or all.
+class find_job final : public bus_job {
+  public:
+    enum class scope : std::uint8_t {
+        changes,
+        once, ///< all, unless they are known
+        all,
+    };
+    find_job(scope what, operation_ptr<> done) : what_{what}, done_{std::move(done)} {}
+
+    bool begin(bus_state& bus, ethercat::master& master) override {
+        for (;;) switch (step_) {
+            case step::clear:
+                if (what_ == scope::once && bus.is_started()) return fail({}), false;
+                step_ = step::locate;
+                if (what_ == scope::changes || (bus.is_serving() && bus.ring().is_cleared())) break;
+                step_ = step::clear; // a scan would reset slaves that work
+                return master.start(ethercat::scan{}).has_value();
+            case step::locate: return master.start(ethercat::locate_slaves{unknown_}).has_value();
+            case step::bring_up:
+                if (is_identifying_ && one_.begin(bus, master)) return true;
+                if (std::exchange(is_identifying_, false)) keep(bus);
+                if (next_ == new_.size()) {
+                    step_ = step::identify;
+                    break;
+                }
+                one_ = {new_[next_].first, new_[next_].second, {}};
+                is_identifying_ = true;
+                ++next_;
+                break;
+            case step::identify:
+                step_ = step::prepare;
+                if (!places_.empty()) {
+                    step_ = step::identify;
+                    return master.start(ethercat::identify_all{places_, bus.names().has_identification()}).has_value();
+                }
+                bus.match_names();
+                break;
+            case step::prepare: {
+                const auto* const next = bus.next_to_prepare();
+                if (next == nullptr) {
+                    bus.set_started();
+                    return fail(bus.first_refusal()), false;
+                }
+                station_ = next->info.station;
+                const auto& is = next->info;
+                const auto wanted = next->named->station == 0 ? station_ : next->named->station;
+                writes_ = next->is_brought_up && station_ == wanted;
+                if (writes_)
+                    return master
+                        .start(ethercat::run_init_commands{station_, next->named->start_up,
+                                                           ethercat::state_transition::pre_op_to_safe_op})
+                        .has_value();
+                return master
+                    .start(ethercat::bring_up{
+                        next->info.position, wanted, {is.vendor, is.product, is.revision, is.serial}})
+                    .has_value();
+            }
+            case step::done: return false;
+            }
+    }
+    void end(bus_state& bus, ethercat::master& master) override {
+        const auto error = error_of(master.error());
+        if (error == bus_errc::no_reply || error == bus_errc::not_sent) bus.note_all_lost(error);
+        if (error == bus_errc::no_reply || error == bus_errc::not_sent || error == bus_errc::stopped)
+            return fail(error);
+        switch (step_) {
+        case step::clear:
+            if (error) return fail(error);
+            bus.forget_found();
+            step_ = step::locate;
+            return;
+        case step::locate: return located(bus, master, error);
+        case step::bring_up: return one_.end(bus, master);
+        case step::identify:
+            for (const auto& each : places_)
+                if (auto* const slave = bus.at(each.station)) {
+                    slave->identity = each.is;
+                    slave->is_identified = each.error == ethercat::master_error{};
+                    if (!slave->is_identified) bus.note_unprepared(*slave, error_of(each.error));
+                }
+            places_.clear();
+            return;
+        case step::prepare: return prepared(bus, master, error);
+        case step::done: return;
+        }
+    }
+    [[nodiscard]] bool is_over() const override { return step_ == step::done || (done_ && done_->is_done()); }
+    void fail(error_code why) override {
+        step_ = step::done;
+        if (done_) done_->complete(why);
+    }
+
+  private:
+    enum class step : std::uint8_t { clear, locate, bring_up, identify, prepare, done };
+
+    void located(bus_state& bus, const ethercat::master& master, error_code error) {
+        if (error) return fail(error);
+        const auto found = *master.result<ethercat::locate_slaves>();
+        if (what_ != scope::changes && found.slaves == 0) return fail(bus_errc::no_slaves);
+        if (found.slaves > bus_state::max_slaves) return fail(bus_errc::too_many_slaves);
+        new_ = bus.note_positions(master, found.unknown);
+        step_ = step::bring_up;
+    }
+    void keep(bus_state& bus) {
+        if (bus.note_brought_up(one_.found, one_.error)) places_.emplace_back(one_.found.info.station);
+    }
+    void prepared(bus_state& bus, const ethercat::master& master, error_code error) {
+        auto* const slave = bus.at(station_);
+        if (slave == nullptr) return;
+        if (error) {
+            const auto& objects = slave->named->start_up;
+            if (const auto at = master.error().command; writes_ && at < objects.size() && slave->why != error)
+                bus.log(name_of(slave->info) + " does not take its start-up object " +
+                        numbered("%04Xh:", objects[at].index) + std::to_string(objects[at].subindex));
+            return bus.note_unprepared(*slave, error);
+        }
+        if (!writes_) {
+            if (slave->named->station != 0) slave->info.station = slave->named->station;
+            slave->is_brought_up = true;
+            return;
+        }
+        bus.note_prepared(*slave, what_ != scope::changes);
+    }
+
+    scope what_;
+    operation_ptr<> done_;
+    step step_{};
+    std::array<std::uint16_t, bus_state::max_slaves> unknown_{};
+    std::vector<std::pair<std::uint16_t, std::uint16_t>> new_{}; ///< positions, and the station addresses that they get
+    std::size_t next_{};
+    bool is_identifying_{};
+    slave_identification one_{};
+    std::vector<ethercat::identify_place> places_{};
+    std::uint16_t station_{}; ///< of the slave that is prepared
+    bool writes_{};           ///< its start-up objects; else it is brought up
+};
+
 /// Looks at the state of a slave, collects its emergencies, and brings it up again after it was reset.
 class look_job final : public bus_job {
   public:
-    explicit look_job(std::uint16_t position) : position_{position} {}
+    explicit look_job(std::uint16_t station) : station_{station} {}
 
     bool begin(bus_state& bus, ethercat::master& master) override {
-        const auto* const slave = bus.at(position_);
+        const auto* const slave = bus.at(station_);
         if (slave == nullptr) return false;
         switch (step_) {
         case step::look: return master.start(ethercat::check{slave->info.station}).has_value();
@@ -247,7 +388,7 @@ class look_job final : public bus_job {
         return false;
     }
     void end(bus_state& bus, ethercat::master& master) override {
-        auto* const slave = bus.at(position_);
+        auto* const slave = bus.at(station_);
         if (slave == nullptr) return;
         const auto error = error_of(master.error());
         switch (step_) {
@@ -270,11 +411,11 @@ class look_job final : public bus_job {
     void looked(bus_state& bus, bus_slave& slave, ethercat::master& master, error_code error) {
         step_ = step::done;
         bus.note_outcome(slave, error);
-        if (error == bus_errc::slave_lost) {
+        if (error == bus_errc::slave_lost && bus.names().empty()) {
             ethercat::identity_check required{};
             const auto& info = slave.info;
             if (slave.is_identified) required = {info.vendor, info.product, info.revision, info.serial};
-            one_ = {position_, required};
+            one_ = {info.position, station_, required};
             step_ = step::identify;
         }
         if (error) return;
@@ -285,7 +426,7 @@ class look_job final : public bus_job {
     }
     void identified(bus_state& bus) {
         step_ = step::done;
-        auto* const slave = bus.at(position_);
+        auto* const slave = bus.at(station_);
         if (slave == nullptr) return;
         if (one_.error) return bus.note_lost(*slave, one_.error);
         slave->info.alias = one_.found.info.alias; // all else is as it was, or was not known
@@ -299,7 +440,7 @@ class look_job final : public bus_job {
         bus.note_state(*slave, one_.found.al);
     }
 
-    std::uint16_t position_{};
+    std::uint16_t station_{};
     step step_{};
     slave_identification one_{};
 };
@@ -319,13 +460,13 @@ template <class Make, class Take, class... Results> class slave_job final : publ
             fail(error);
             return false;
         }
-        position_ = slave->info.position;
+        station_ = slave->info.station;
         return master.start(make_(*slave)).has_value();
     }
     void end(bus_state& bus, ethercat::master& master) override {
         const auto outcome = master.result<job_type>();
         const auto error = outcome ? error_code{} : error_of(outcome.error());
-        if (auto* const slave = bus.at(position_)) {
+        if (auto* const slave = bus.at(station_)) {
             bus.note_outcome(*slave, error);
             bus.note_emergencies(*slave, master);
         }
@@ -343,7 +484,7 @@ template <class Make, class Take, class... Results> class slave_job final : publ
     operation_ptr<Results...> done_;
     Make make_;
     Take take_;
-    std::uint16_t position_{};
+    std::uint16_t station_{};
 };
 
 /// Takes a slave to a state, and configures its process data before SAFE-OP.
@@ -351,15 +492,16 @@ class change_job final : public bus_job {
   public:
     change_job(const slave_choice& which, ethercat::al_state goal, operation_ptr<> done)
         : which_{which}, goal_{goal}, done_{std::move(done)} {}
+    change_job(std::uint16_t station, ethercat::al_state goal, operation_ptr<> done)
+        : goal_{goal}, done_{std::move(done)}, station_{station} {}
 
     bool begin(bus_state& bus, ethercat::master& master) override {
-        error_code error;
-        auto* const slave = bus.find(which_, error);
+        error_code error = bus_errc::no_such_slave;
+        auto* const slave = station_ != 0 ? bus.at(station_) : bus.find(which_, error);
         if (slave == nullptr) return fail(error), false;
         if (slave->info.is_served) return fail(bus_errc::served), false;
         if (goal_ == ethercat::al_state::op) return fail(bus_errc::needs_cycles), false;
-        position_ = slave->info.position;
-        const auto station = slave->info.station;
+        const auto station = station_ = slave->info.station;
         if (goal_ != ethercat::al_state::safe_op || slave->is_configured) {
             step_ = step::change;
             return master.start(ethercat::change_state{station, goal_}).has_value();
@@ -369,7 +511,7 @@ class change_job final : public bus_job {
         return master.start(ethercat::change_state{station, ethercat::al_state::pre_op}).has_value();
     }
     void end(bus_state& bus, ethercat::master& master) override {
-        auto* const slave = bus.at(position_);
+        auto* const slave = bus.at(station_);
         const auto error = error_of(master.error());
         if (slave == nullptr) return fail(bus_errc::no_such_slave);
         bus.note_outcome(*slave, error);
@@ -395,11 +537,11 @@ class change_job final : public bus_job {
   private:
     enum class step : std::uint8_t { look, pre_op, configure, change };
 
-    slave_choice which_;
+    slave_choice which_{};
     ethercat::al_state goal_;
     operation_ptr<> done_;
     step step_{};
-    std::uint16_t position_{};
+    std::uint16_t station_{};
 };
 
 /// Shows the frames that it passes on.
@@ -444,7 +586,8 @@ JAUSCAT_DECL bus_state::bus_state(boost::asio::io_context& context, std::string_
       options_{std::move(options)},
       link_{net::open_link(where)},
       timing_{timing_of(options_)},
-      memory_(max_object_size) {
+      memory_(max_object_size),
+      named_{options_.slaves} {
     if (options_.on_frame) link_ = std::make_unique<shown_link>(std::move(link_), *this);
 }
 JAUSCAT_DECL bus_state::~bus_state() { close(); }
@@ -547,16 +690,21 @@ JAUSCAT_DECL void bus_state::end_job(ethercat::master& master) {
 /// Operations and looks at slaves alternate where both wait.
 JAUSCAT_DECL std::unique_ptr<bus_job> bus_state::next_job(time_point now) {
     std::erase_if(queue_, [](const auto& each) { return each->is_over(); });
+    if (finds_changes() && next_find_ <= now && (queue_.empty() || !looked_last_)) {
+        looked_last_ = true;
+        next_find_ = now + options_.check_interval;
+        return std::make_unique<find_job>(find_job::scope::changes, nullptr);
+    }
     bus_slave* seen_last{};
     if (options_.check_interval > duration{} && is_started_)
         for (auto& each : slaves_)
-            if (!each.info.is_served && each.next_look <= now && (!seen_last || each.next_look < seen_last->next_look))
+            if (is_watched(each) && each.next_look <= now && (!seen_last || each.next_look < seen_last->next_look))
                 seen_last = &each;
     const bool looks = seen_last != nullptr && (queue_.empty() || !looked_last_);
     looked_last_ = looks;
     if (looks) {
         seen_last->next_look = now + options_.check_interval;
-        return std::make_unique<look_job>(seen_last->info.position);
+        return std::make_unique<look_job>(seen_last->info.station);
     }
     if (queue_.empty()) return nullptr;
     auto next = std::move(queue_.front());
@@ -578,8 +726,8 @@ JAUSCAT_DECL time_point bus_state::look_at_time() {
     if (current_) next = current_->due;
     if (options_.check_interval > duration{} && is_started_ && !current_)
         for (const auto& each : slaves_)
-            if (!each.info.is_served)
-                next = std::min(next, std::max(each.next_look, now + std::chrono::milliseconds{1}));
+            if (is_watched(each)) next = std::min(next, std::max(each.next_look, now + std::chrono::milliseconds{1}));
+    if (finds_changes() && !current_) next = std::min(next, std::max(next_find_, now + std::chrono::milliseconds{1}));
     return next;
 }
 
@@ -588,7 +736,7 @@ JAUSCAT_DECL void bus_state::look_at_link() {
         problem_ = now;
         tell_fault(link_fault::no_frames, problem_);
     }
-    const auto& seen = ring_->master().statistics();
+    const auto seen = ring_->statistics();
     if (seen.foreign != 0 && !std::exchange(has_seen_master_, true))
         tell_fault(link_fault::second_master, "frames of another master are on this link; only one may use it");
     if (seen.circulated != 0 && !std::exchange(has_seen_gap_, true))
@@ -675,21 +823,35 @@ JAUSCAT_DECL std::vector<slave_info> bus_state::infos() const {
     for (const auto& each : slaves_) all.push_back(each.info);
     return all;
 }
-JAUSCAT_DECL bus_slave* bus_state::at(std::uint16_t position) {
+JAUSCAT_DECL bus_slave* bus_state::at(std::uint16_t station) {
     const auto found =
-        std::ranges::find_if(slaves_, [=](const bus_slave& each) { return each.info.position == position; });
+        std::ranges::find_if(slaves_, [=](const bus_slave& each) { return each.info.station == station; });
+    return found == slaves_.end() ? nullptr : &*found;
+}
+JAUSCAT_DECL bus_slave* bus_state::at_position(std::uint16_t position) {
+    const auto found = std::ranges::find_if(
+        slaves_, [=](const bus_slave& each) { return each.info.position == position && !each.is_absent; });
     return found == slaves_.end() ? nullptr : &*found;
 }
 JAUSCAT_DECL bus_slave* bus_state::find(const slave_choice& which, error_code& error) {
     const auto is_same = [](const auto& required, auto value) { return !required || *required == value; };
     const auto& id = which.identity;
+    const auto* const name = named(which);
     error = is_started_ ? bus_errc::no_such_slave : bus_errc::not_started;
+    if (is_started_ && name != nullptr && name->why) {
+        error = name->why;
+        return nullptr;
+    }
     bus_slave* found{};
     for (auto& each : slaves_) {
         const auto& info = each.info;
-        if (!is_same(which.position, info.position)) continue;
+        if (name != nullptr && each.named != name) continue;
+        if (which.position && (each.is_absent || !is_same(which.position, info.position))) {
+            if (name != nullptr) error = bus_errc::wrong_slave;
+            continue;
+        }
         const bool is_as_required = is_same(which.alias, info.alias) &&
-                                    (which.name.empty() || which.name.view() == info.name) &&
+                                    (which.name.empty() || name != nullptr || which.name.view() == info.name) &&
                                     is_same(id.vendor, info.vendor) && is_same(id.product, info.product) &&
                                     is_same(id.revision, info.revision) && is_same(id.serial, info.serial);
         if (!is_as_required) {
@@ -719,6 +881,7 @@ JAUSCAT_DECL void bus_state::note_all_lost(error_code why) {
         if (!each.info.is_served && !each.info.is_lost) note_lost(each, why);
 }
 JAUSCAT_DECL void bus_state::note_found(bus_slave& slave) {
+    if (!is_trusted(slave)) return;
     if (!std::exchange(slave.info.is_lost, false)) return;
     slave.why = {};
     problem_.clear();
@@ -751,6 +914,210 @@ JAUSCAT_DECL void bus_state::note_emergency(const bus_slave& slave, const etherc
     log(name_of(slave.info) + " reports an emergency: " + numbered("%04Xh", emergency.error_code) +
         numbered(", error register %02Xh", emergency.error_register));
     call_later(&bus_state::on_emergency, slave.info, emergency);
+}
+
+// ---- Named slaves.
+
+JAUSCAT_DECL bool bus_state::finds_changes() const noexcept {
+    return is_started_ && !named_.empty() && options_.check_interval > duration{};
+}
+JAUSCAT_DECL bool bus_state::is_trusted(const bus_slave& slave) const noexcept {
+    const bool is_refused = slave.named == nullptr && slave.last_name != nullptr;
+    return named_.empty() || (slave.is_prepared && !slave.is_absent && !is_refused);
+}
+JAUSCAT_DECL bool bus_state::is_watched(const bus_slave& slave) const noexcept {
+    return !slave.info.is_served && is_trusted(slave);
+}
+JAUSCAT_DECL void bus_state::sort_slaves() {
+    std::ranges::stable_sort(slaves_, {}, [](const bus_slave& each) { return each.info.position; });
+}
+JAUSCAT_DECL bus_slave* bus_state::slave_of(const named_slave& which) noexcept {
+    const auto found = std::ranges::find(slaves_, &which, &bus_slave::named);
+    return found == slaves_.end() ? nullptr : &*found;
+}
+JAUSCAT_DECL bool bus_state::await(named_slave& which, bus_user& user, std::uint16_t station) {
+    if (which.user != nullptr && which.user != &user) return false;
+    which.user = &user;
+    auto* const slave = slave_of(which);
+    if (std::exchange(which.station, station) != station && slave != nullptr) slave->is_prepared = false;
+    if (slave != nullptr && is_watched(*slave) && !slave->info.is_lost) user.slave_ready();
+    next_find_ = {};
+    wake();
+    return true;
+}
+JAUSCAT_DECL void bus_state::forget(const bus_user& user) noexcept {
+    for (auto& each : named_.all())
+        if (each.user == &user) each.user = nullptr;
+}
+JAUSCAT_DECL void bus_state::forget_found() {
+    std::erase_if(slaves_, [](const bus_slave& each) { return !each.info.is_served; });
+}
+/// Returns the positions of slaves that are to be brought up, and the station addresses for it.
+JAUSCAT_DECL std::vector<std::pair<std::uint16_t, std::uint16_t>>
+bus_state::note_positions(const ethercat::master& master, std::span<const std::uint16_t> unknown) {
+    const auto now = net::now();
+    const auto is_unknown = [&](std::uint16_t position) { return std::ranges::count(unknown, position) != 0; };
+    std::erase_if(slaves_, [&](const bus_slave& each) {
+        return !each.is_identified && !each.info.is_served && !is_unknown(each.info.position);
+    });
+    for (auto& each : slaves_) {
+        const auto* const record = master.find(each.info.station);
+        const bool is_absent = record == nullptr || record->position == ethercat::slave_record::no_position;
+        if (!each.is_identified) continue;
+        if (std::exchange(each.is_absent, is_absent) != is_absent) is_match_due_ = true;
+        if (is_absent && !each.info.is_served) note_lost(each, bus_errc::slave_lost);
+        if (is_absent || record->position == each.info.position) continue;
+        is_match_due_ = true;
+        const auto before = std::exchange(each.info.position, record->position);
+        log(name_of(each.info) + " was at position " + std::to_string(before));
+    }
+    std::vector<std::pair<std::uint16_t, std::uint16_t>> made;
+    for (const auto position : unknown) {
+        const auto failed = std::ranges::find_if(slaves_, [=](const bus_slave& each) {
+            return each.info.position == position && !each.is_identified && !each.info.is_served;
+        });
+        if (failed == slaves_.end())
+            made.emplace_back(position, next_station_++);
+        else if (failed->next_try <= now)
+            made.emplace_back(position, failed->info.station);
+    }
+    for (const auto& each : master.slaves()) // those that were not identified
+        if (each.position != ethercat::slave_record::no_position && at(each.station) == nullptr)
+            made.emplace_back(each.position, each.station);
+    sort_slaves();
+    return made;
+}
+JAUSCAT_DECL bool bus_state::note_brought_up(const bus_slave& made, error_code why) {
+    auto* slave = at(made.info.station);
+    if (slave == nullptr) slave = &slaves_.emplace_back();
+    const auto before = std::exchange(slave->why, why);
+    slave->info = made.info;
+    slave->al = made.al;
+    slave->is_identified = made.is_identified && !why;
+    slave->is_brought_up = true;
+    slave->info.is_lost = why.failed();
+    slave->next_try = net::now() + timing_.bring_up_interval;
+    is_match_due_ = true;
+    if (why && why != before) log(name_of(slave->info) + " is not brought up: " + why.message());
+    sort_slaves();
+    return !why;
+}
+JAUSCAT_DECL void bus_state::refuse(named_slave& which, error_code why, const bus_slave* by) {
+    if (std::exchange(which.why, why) == why) return;
+    auto* const slave = slave_of(which);
+    if (slave != nullptr) {
+        note_lost(*slave, why);
+        slave->named = nullptr;
+        slave->info.configured_name.clear();
+    }
+    if (which.entry.is_optional && why == bus_errc::missing_slave) return;
+    auto line = "slave \"" + which.entry.name + "\" is refused: " + why.message();
+    if (by != nullptr)
+        line += " (position " + std::to_string(by->info.position) + ": vendor " + numbered("%Xh", by->info.vendor) +
+                ", product " + numbered("%Xh", by->info.product) + ", revision " + numbered("%Xh", by->info.revision) +
+                ", serial " + std::to_string(by->info.serial) + ")";
+    log(line);
+}
+JAUSCAT_DECL void bus_state::match_names() {
+    if (!std::exchange(is_match_due_, false)) return;
+    std::vector<ethercat::found_slave> found;
+    std::vector<std::uint16_t> stations;
+    for (const auto& each : slaves_) {
+        if (each.is_absent || !each.is_identified) continue;
+        const auto& info = each.info;
+        ethercat::slave_identity is{.identity = {info.vendor, info.product, info.revision, info.serial},
+                                    .alias = info.alias != 0 ? info.alias : each.identity.stored_alias,
+                                    .device_id = each.identity.device_id};
+        found.push_back({.position = each.info.position, .is = is});
+        stations.push_back(each.info.station);
+    }
+    const auto matches = named_.match(std::move(found));
+    for (std::size_t i = 0; i != matches.size(); ++i) {
+        auto& which = named_.all()[i];
+        auto* const known = slave_of(which);
+        if (known != nullptr && known->info.is_served) {
+            is_match_due_ = is_match_due_ || known->is_absent; // its user is about to lose it
+            continue;
+        }
+        const bool is_there = known != nullptr && !known->is_absent;
+        using enum ethercat::slave_match;
+        const auto match = matches[i].match;
+        auto* const by = match == missing || match == doubled ? nullptr : at(stations[matches[i].at]);
+        if (match == missing && known != nullptr && known->is_absent)
+            continue; // it is lost
+        else if (match == missing)
+            refuse(which, bus_errc::missing_slave, nullptr);
+        else if (match == doubled)
+            refuse(which, bus_errc::doubled_slave, nullptr);
+        else if (match == foreign)
+            refuse(which, bus_errc::foreign_slave, by);
+        else if (match == swapped || (is_there && known != by) || (by->last_name != nullptr && by->last_name != &which))
+            refuse(which, bus_errc::swapped_slave, by); // its station address says that it is another one
+        else if (known != by && may_be(*by, which, known))
+            give_name(*by, which, known);
+    }
+    std::erase_if(slaves_, [](const bus_slave& each) { return each.info.station == 0; });
+    for (auto& each : slaves_) {
+        if (each.named != nullptr || each.is_absent || !each.is_identified || is_match_due_) continue;
+        if (std::exchange(each.is_prepared, true)) continue;
+        log(name_of(each.info) + " is none of the named slaves: it is left as it is");
+    }
+}
+JAUSCAT_DECL bool bus_state::may_be(const bus_slave& slave, const named_slave& which, const bus_slave* before) {
+    const auto& entry = which.entry;
+    if (before == nullptr || entry.alias || entry.identification || entry.serial) return true;
+    const bool is_stranger = slave.is_prepared && slave.last_name == nullptr; // it was beside that one
+    return !is_stranger && slave.info.vendor == before->info.vendor && slave.info.product == before->info.product;
+}
+JAUSCAT_DECL void bus_state::give_name(bus_slave& slave, named_slave& which, bus_slave* before) {
+    slave.named = &which;
+    slave.last_name = &which;
+    slave.info.configured_name = which.entry.name;
+    slave.is_prepared = slave.info.is_served;
+    which.why = {};
+    if (before == nullptr) return;
+    slave.info.is_lost = before->info.is_lost;
+    slave.why = before->why;
+    slave.next_look = before->next_look;
+    before->named = nullptr;
+    before->info.station = 0; // erased
+}
+JAUSCAT_DECL bus_slave* bus_state::next_to_prepare() {
+    const auto now = net::now();
+    const auto found = std::ranges::find_if(slaves_, [=](const bus_slave& each) {
+        return each.named != nullptr && !each.is_prepared && !each.is_absent && !each.info.is_served &&
+               (each.is_brought_up || each.next_try <= now);
+    });
+    return found == slaves_.end() ? nullptr : &*found;
+}
+JAUSCAT_DECL void bus_state::note_prepared(bus_slave& slave, bool is_start) {
+    auto& which = *slave.named;
+    which.why = {};
+    which.station = slave.info.station;
+    slave.is_prepared = true;
+    slave.is_brought_up = false; // is done at the next time
+    slave.is_configured = false;
+    slave.info.is_lost = false;
+    slave.why = {};
+    slave.next_try = net::now() + timing_.bring_up_interval;
+    problem_.clear();
+    log(name_of(slave.info) + " is there");
+    if (!is_start) call_later(&bus_state::on_found, slave.info);
+    note_state(slave, {.state = ethercat::al_state::pre_op});
+    if (which.user != nullptr) which.user->slave_ready();
+}
+JAUSCAT_DECL void bus_state::note_unprepared(bus_slave& slave, error_code why) {
+    slave.is_brought_up = false;
+    slave.next_try = net::now() + timing_.bring_up_interval;
+    note_lost(slave, why);
+}
+JAUSCAT_DECL error_code bus_state::first_refusal() {
+    for (const auto& each : named_.all()) {
+        const auto* const slave = slave_of(each);
+        if (each.why && !(each.entry.is_optional && each.why == bus_errc::missing_slave)) return each.why;
+        if (slave != nullptr && !slave->info.is_served && slave->info.is_lost && !slave->is_absent) return slave->why;
+    }
+    return {};
 }
 
 // ---- Bridges.
@@ -801,16 +1168,15 @@ JAUSCAT_DECL std::string bus_state::join(bus_user& user) {
     if (is_closed_) return "the bus has ended";
     auto& front = user.front();
     const auto position = front.options().position;
-    if (user_at(position) != nullptr) return "another bridge serves it";
+    auto* slave = front.options().is_taken_over ? at(front.station()) : at_position(position);
+    if (slave != nullptr && slave->info.is_served) return "another bridge serves it";
     open();
     if (!ring_->add(front)) return "the bus has " + std::to_string(max_slaves) + " slaves already";
     users_.push_back(&user);
-    auto* slave = at(position);
     if (slave == nullptr) {
-        slave = &slaves_.emplace_back();
-        slave->info.position = position;
-        std::ranges::sort(slaves_, {}, [](const bus_slave& each) { return each.info.position; });
-        slave = at(position);
+        slaves_.emplace_back().info.position = position;
+        sort_slaves();
+        slave = at_position(position);
     }
     slave->info.station = front.station();
     slave->info.is_served = true;
@@ -827,12 +1193,8 @@ JAUSCAT_DECL void bus_state::leave(const bus_user& user) noexcept {
     users_.erase(found);
     front.on_work({});
     ring_->remove(front, net::now());
-    if (auto* const slave = at(front.options().position)) slave->info.is_served = false; // it is watched from now on
-}
-JAUSCAT_DECL bus_user* bus_state::user_at(std::uint16_t position) noexcept {
-    const auto found =
-        std::ranges::find_if(users_, [=](bus_user* each) { return each->front().options().position == position; });
-    return found == users_.end() ? nullptr : *found;
+    if (auto* const slave = at(front.station())) slave->info.is_served = false; // it is watched from now on
+    is_match_due_ = true;
 }
 JAUSCAT_DECL void bus_state::send(std::span<const std::byte> message) {
     const auto node = jaus::split(message).header.source.node;
@@ -870,7 +1232,7 @@ JAUSCAT_DECL void bus_state::drive(const std::function<bool()>& is_done, duratio
 }
 
 JAUSCAT_DECL void bus_state::note_served(bus_user& user, const ethercat::slave_record& record) {
-    auto* const slave = at(user.front().options().position);
+    auto* const slave = at(user.front().station());
     if (slave == nullptr) return;
     identify(*slave, record);
     slave->info.is_lost = false;
@@ -878,10 +1240,11 @@ JAUSCAT_DECL void bus_state::note_served(bus_user& user, const ethercat::slave_r
     problem_.clear();
 }
 JAUSCAT_DECL void bus_state::note_served_lost(bus_user& user, error_code why) {
-    auto* const slave = at(user.front().options().position);
+    auto* const slave = at(user.front().station());
     if (slave == nullptr) return;
     slave->info.is_lost = true;
     slave->why = why;
+    slave->is_prepared = false;
 }
 
 // ---- Slaves in operation.
@@ -955,7 +1318,7 @@ JAUSCAT_DECL bool operated_slave::awaits_rest() const {
 }
 JAUSCAT_DECL void operated_slave::slave_up(const bridging::slave_front&, const ethercat::slave_record&, bool ready) {
     if (!ready) return;
-    if (auto* const slave = bus_.at(position())) bus_.note_state(*slave, {.state = ethercat::al_state::op});
+    if (auto* const slave = bus_.at(station())) bus_.note_state(*slave, {.state = ethercat::al_state::op});
     done_->complete({});
 }
 JAUSCAT_DECL void operated_slave::slave_lost(const bridging::slave_front&, bridging::loss,
@@ -963,12 +1326,12 @@ JAUSCAT_DECL void operated_slave::slave_lost(const bridging::slave_front&, bridg
     is_lost_ = true;
     auto error = error_of(why);
     if (!error || error == bus_errc::stopped) error = bus_errc::slave_lost;
-    if (auto* const slave = bus_.at(position())) bus_.note_lost(*slave, error);
+    if (auto* const slave = bus_.at(station())) bus_.note_lost(*slave, error);
     done_->complete(error);
 }
 JAUSCAT_DECL void operated_slave::slave_emergency(const bridging::slave_front&,
                                                   const ethercat::coe_emergency& emergency) {
-    if (const auto* const slave = bus_.at(position())) bus_.note_emergency(*slave, emergency);
+    if (const auto* const slave = bus_.at(station())) bus_.note_emergency(*slave, emergency);
 }
 
 /// The slave is in PRE-OP, or not: it is added to the ring later, not within its turn.
@@ -988,7 +1351,7 @@ struct bus_state::taking_over final : operation<> {
             error_code why;
             const auto* const slave = self->find(which, why);
             if (slave == nullptr || done->is_done()) return done->complete(why);
-            self->take_over(slave->info.position, options, done);
+            self->take_over(*slave, options, done);
         });
     }
 
@@ -1004,11 +1367,11 @@ JAUSCAT_DECL void bus_state::operate(const slave_choice& which, const operate_op
                                      std::make_shared<taking_over>(*this, which, options, std::move(done))),
         options_.timeout);
 }
-JAUSCAT_DECL void bus_state::take_over(std::uint16_t position, const operate_options& options,
+JAUSCAT_DECL void bus_state::take_over(const bus_slave& which, const operate_options& options,
                                        const operation_ptr<>& done) {
     if (is_closed_) return done->complete(boost::asio::error::operation_aborted);
-    if (user_at(position) != nullptr) return done->complete(bus_errc::served);
-    auto& made = operated_.emplace_back(std::make_unique<operated_slave>(*this, *at(position), options, done));
+    if (which.info.is_served) return done->complete(bus_errc::served);
+    auto& made = operated_.emplace_back(std::make_unique<operated_slave>(*this, which, options, done));
     if (join(*made).empty()) return;
     operated_.pop_back();
     done->complete(bus_errc::too_many_slaves);
@@ -1018,7 +1381,7 @@ JAUSCAT_DECL std::optional<bridging::slave_data> bus_state::data_of(const slave_
     error_code error;
     const auto* const slave = operated_.empty() ? nullptr : find(which, error);
     if (slave == nullptr) return std::nullopt;
-    const auto found = std::ranges::find(operated_, slave->info.position, &operated_slave::position);
+    const auto found = std::ranges::find(operated_, slave->info.station, &operated_slave::station);
     return found == operated_.end() ? std::nullopt : (*found)->data();
 }
 JAUSCAT_DECL void bus_state::run_cycle() {
@@ -1048,11 +1411,11 @@ JAUSCAT_DECL void bus_state::look_at_operated(time_point now) {
         const auto goal = how == rests ? ended->goal() : ethercat::al_state::pre_op;
         auto done = how == rests ? ended->done() : nullptr;
         if (!done) done = std::make_shared<unheard>();
-        queue_change(ended->position(), goal, std::move(done));
+        queue_change(ended->station(), goal, std::move(done));
     }
 }
-JAUSCAT_DECL void bus_state::queue_change(std::uint16_t position, ethercat::al_state goal, operation_ptr<> done) {
-    auto job = std::make_unique<change_job>(slave_choice{.position = position}, goal, std::move(done));
+JAUSCAT_DECL void bus_state::queue_change(std::uint16_t station, ethercat::al_state goal, operation_ptr<> done) {
+    auto job = std::make_unique<change_job>(station, goal, std::move(done));
     job->limit = options_.timeout;
     queue_.push_back(std::move(job));
     wake();
@@ -1066,7 +1429,7 @@ JAUSCAT_DECL void bus_state::end_operations() noexcept {
             const bool is_up = each->front().up();
             leave(*each);
             each->bus_ends();
-            if (is_up) queue_change(each->position(), ethercat::al_state::pre_op, std::make_shared<unheard>());
+            if (is_up) queue_change(each->station(), ethercat::al_state::pre_op, std::make_shared<unheard>());
         }
         const auto is_done = [this] {
             static_cast<void>(look_at_time());
@@ -1087,7 +1450,11 @@ void bus_state::ask(const slave_choice& which, operation_ptr<Results...> done, M
 }
 
 JAUSCAT_DECL void bus_state::start(operation_ptr<> done) {
-    add(std::make_unique<start_job>(std::move(done)), options_.start_timeout);
+    if (named_.empty()) return add(std::make_unique<start_job>(std::move(done)), options_.start_timeout);
+    add(std::make_unique<find_job>(find_job::scope::all, std::move(done)), options_.start_timeout);
+}
+JAUSCAT_DECL void bus_state::start_once(operation_ptr<> done) {
+    add(std::make_unique<find_job>(find_job::scope::once, std::move(done)), options_.start_timeout);
 }
 JAUSCAT_DECL void bus_state::read(const slave_choice& which, std::uint16_t index, std::uint8_t subindex,
                                   std::optional<std::size_t> size, operation_ptr<object_bytes> done) {
@@ -1151,7 +1518,7 @@ JAUSCAT_DECL void bus_state::change(const slave_choice& which, ethercat::al_stat
         const auto* const slave = operated_.empty() ? nullptr : find(which, error);
         const auto operated = slave == nullptr
                                   ? operated_.end()
-                                  : std::ranges::find(operated_, slave->info.position, &operated_slave::position);
+                                  : std::ranges::find(operated_, slave->info.station, &operated_slave::station);
         if (operated != operated_.end() && goal != ethercat::al_state::op) {
             (*operated)->end(goal, std::move(done));
             return wake();

@@ -7,7 +7,7 @@ namespace jauscat::bridging {
 
 enum class joint_errc : std::uint8_t {
     ok,
-    unknown_message, ///< no joint message
+    unknown_message, ///< no joint message, or one that the process data do not serve
     malformed,       ///< truncated, or a value that is not legal
     wrong_count,     ///< the message has another number of joints
     in_emergency,    ///< a command in an emergency

@@ -20,16 +20,24 @@ namespace jauscat::bridging {
 /// One joint.
 struct joint_options {
     std::size_t slave{};          ///< index of its drive in the span of images
+    std::size_t drive_axis{};     ///< its axis of that drive, from 0
     cia402::axis_places places{}; ///< in the drive's process data
     cia402::axis_options axis{};  ///< its limits are applied after those of `scale`
     translation::joint_scale scale{};
+};
+
+/// How old the inputs of a drive are.
+enum class input_age : std::uint8_t {
+    lost,    ///< the drive is not in OP, or silent for longer than its time-out: its axes fail
+    late,    ///< the drive is silent, for less than that: its axes keep their targets, or go on to rest
+    current, ///< of the last cycle, with the drive in OP
 };
 
 /// Process data of one drive; of a drive that is lost they are empty.
 struct drive_image {
     std::span<std::byte> outputs{};
     std::span<const std::byte> inputs{};
-    bool is_current{}; ///< the drive is in OP, and the inputs are those of the last cycle
+    input_age age{};
 };
 
 enum class joint_group_state : std::uint8_t {
@@ -56,15 +64,19 @@ template <std::size_t Joints> class joint_group {
         }
     }
 
-    /// Whether the joints' parameters are valid, and their process data have what all three commands need.
+    /// Whether the joints' parameters are valid, and their process data have what at least one of the three commands
+    /// needs.
     [[nodiscard]] constexpr bool is_usable() const noexcept {
-        using cia402::mode;
         return std::ranges::all_of(scales_, [](const auto& each) { return is_valid(each); }) &&
-               std::ranges::all_of(places_, [](const auto& each) {
-                   return each.missing_for(mode::cyclic_synchronous_position) == nullptr &&
-                          each.missing_for(mode::cyclic_synchronous_velocity) == nullptr &&
-                          each.missing_for(mode::cyclic_synchronous_torque) == nullptr;
-               });
+               (serves(jaus::command_code_of<jaus::set_joint_positions>) ||
+                serves(jaus::command_code_of<jaus::set_joint_velocities>) ||
+                serves(jaus::command_code_of<jaus::set_joint_efforts>));
+    }
+    /// Whether the process data of all joints have what this command needs.
+    [[nodiscard]] constexpr bool serves(std::uint16_t code) const noexcept {
+        const auto mode = mode_of(code);
+        return mode &&
+               std::ranges::all_of(places_, [&](const auto& each) { return each.missing_for(*mode) == nullptr; });
     }
     [[nodiscard]] constexpr const cia402::axis& axis(std::size_t joint) const noexcept { return axes_[joint]; }
 
@@ -75,12 +87,12 @@ template <std::size_t Joints> class joint_group {
                code == jaus::command_code_of<jaus::report_joint_efforts>;
     }
 
-    /// Takes Set Joint Positions, Velocities or Efforts; returns the joints for which a limit is used in place of the
-    /// commanded value. A refused message changes nothing.
+    /// Takes Set Joint Positions, Velocities or Efforts, if `serves` it; returns the joints for which a limit is used
+    /// in place of the commanded value. A refused message changes nothing.
     constexpr result<translate::axis_bits, joint_errc> command(std::uint16_t code,
                                                                std::span<const std::byte> body) noexcept {
         const auto mode = mode_of(code);
-        if (!mode) return joint_errc::unknown_message;
+        if (!mode || !serves(code)) return joint_errc::unknown_message;
         if (is_emergency_) return joint_errc::in_emergency;
         if (has_failed()) return joint_errc::has_failed;
         targets wanted{};
@@ -117,15 +129,16 @@ template <std::size_t Joints> class joint_group {
 
     /// One cycle: inputs in, targets out, for all drives.
     constexpr void step(std::span<const drive_image> drives, time_point now) noexcept {
+        if (pending_ && are_all(cia402::axis_state::enabled)) apply();
         for (std::size_t i = 0; i != Joints; ++i) {
             const drive_image drive = slaves_[i] < drives.size() ? drives[slaves_[i]] : drive_image{};
-            if (drive.is_current && places_[i].statusword.fits(drive.inputs.size()))
+            if (drive.age == input_age::late && (pending_ || in_force_)) continue;
+            if (drive.age != input_age::lost && places_[i].statusword.fits(drive.inputs.size()))
                 axes_[i].on_cycle(places_[i].load(drive.inputs), now);
             else
                 axes_[i].on_lost();
         }
         if (has_failed() && !is_emergency_) stop();
-        if (pending_ && are_all(cia402::axis_state::enabled)) apply();
         for (std::size_t i = 0; i != Joints; ++i)
             if (slaves_[i] < drives.size()) places_[i].store(axes_[i].targets(), drives[slaves_[i]].outputs);
     }
@@ -138,6 +151,10 @@ template <std::size_t Joints> class joint_group {
             if (each.state() == cia402::axis_state::unknown) return unknown;
         if (pending_) return starting;
         return in_force_ ? moving : at_rest;
+    }
+    /// The outputs of the last step have the targets of the command in force, for all drives.
+    [[nodiscard]] constexpr bool has_targets() const noexcept {
+        return state() == joint_group_state::moving && are_all(cia402::axis_state::enabled);
     }
     /// The drive of a joint has left operation enabled and stands still: what `stop` and `emergency` lead to. Not known
     /// of a drive that is lost.

@@ -109,8 +109,10 @@ class axis {
     }
     /// To rest by the drive's quick stop (605Ah), and off.
     constexpr void quick_stop() noexcept { change_goal(goal::quick_stop); }
-    /// While `on`, the axis comes to rest and stays enabled; targets set before are discarded.
+    /// While `on`, the axis comes to rest and stays enabled; targets set before are discarded, also the set-point of a
+    /// drive in profile position.
     constexpr void halt(bool on) noexcept {
+        is_after_halt_ = is_after_halt_ || (halted_ && !on);
         halted_ = on;
         forget_targets();
     }
@@ -177,6 +179,10 @@ class axis {
     /// The last velocity is at most `axis_options::standstill`.
     [[nodiscard]] constexpr bool is_at_standstill() const noexcept {
         return detail::magnitude(feedback_.velocity) <= options_.standstill;
+    }
+    /// The drive reports that it is behind its target position (bit 13), before or without a fault.
+    [[nodiscard]] constexpr bool has_following_error() const noexcept {
+        return is_position_mode() && seen_ == ds::operation_enabled && has_bit(status_bits::following_error);
     }
     /// The drive reports that a limit of its own is active.
     [[nodiscard]] constexpr bool is_limited_by_drive() const noexcept { return has_bit(status_bits::internal_limit); }
@@ -267,6 +273,7 @@ class axis {
     }
     constexpr void lose_synchronisation() noexcept {
         is_synchronised_ = false;
+        is_after_halt_ = false;
         handshake_ = handshake::idle;
         forget_targets();
     }
@@ -442,10 +449,12 @@ class axis {
             break;
         case mode::profile_position:
             profile_.reset(feedback_.position, 0);
-            if (rests)
+            if (rests) {
                 targets_.controlword |= control_bits::halt;
-            else
+                handshake_ = handshake::idle;
+            } else {
                 offer_set_point(now);
+            }
             break;
         case mode::homing:
             profile_.reset(feedback_.position, 0);
@@ -475,17 +484,23 @@ class axis {
     }
     constexpr void offer_set_point(time_point now) noexcept {
         const bool acknowledged = has_bit(status_bits::set_point_acknowledged);
+        if (is_after_halt_ && !position_goal_) {
+            position_goal_ = feedback_.position;
+            is_offered_ = false;
+        }
         if (handshake_ == handshake::idle && position_goal_ && !is_offered_ && !acknowledged) {
             targets_.position = *position_goal_;
             targets_.profile_velocity = static_cast<std::uint32_t>(rounded(options_.max_velocity));
             handshake_ = handshake::offered;
             is_offered_ = true;
+            is_after_halt_ = false;
             handshake_since_ = now;
         } else if (handshake_ == handshake::offered && acknowledged) {
             handshake_ = handshake::released;
         } else if (handshake_ == handshake::released && !acknowledged) {
             handshake_ = handshake::idle;
         }
+        if (is_after_halt_) targets_.controlword |= control_bits::halt; // it would go on to its last set-point
         if (handshake_ != handshake::offered) return;
         targets_.controlword |= control_bits::new_set_point | control_bits::change_immediately;
         if (now - handshake_since_ >= options_.step_time) fail(axis_errc::not_acknowledged);
@@ -515,7 +530,8 @@ class axis {
     bool was_seen_enabled_{}; // in the last cycle
     bool is_synchronised_{};
     bool halted_{};
-    time_point since_{}; // the drive's state, or the goal
+    bool is_after_halt_{}; // the drive may still have the set-point of before
+    time_point since_{};   // the drive's state, or the goal
     std::optional<time_point> mode_since_{};
 
     reset_phase reset_{};

@@ -179,6 +179,7 @@ class emulated_axis {
         const bool halts =
             state_ == ds::operation_enabled && !leaves_to_ && (values.controlword & control_bits::halt) != 0;
         if (halts) stop_option_ = values.halt_option;
+        if ((values.controlword & control_bits::new_set_point) == 0) acknowledged_ = false;
         if (!has_torque() || (state_ != ds::operation_enabled && is_power_off()))
             turn(0, seconds);
         else if (state_ != ds::operation_enabled || leaves_to_ || halts)
@@ -272,9 +273,7 @@ class emulated_axis {
     }
     constexpr void take_set_point() noexcept {
         const bool offered = (values.controlword & control_bits::new_set_point) != 0;
-        if (!offered) {
-            acknowledged_ = false;
-        } else if (!acknowledged_ && !next_set_point_) {
+        if (offered && !acknowledged_ && !next_set_point_) {
             const bool relative = (values.controlword & control_bits::relative) != 0;
             const double target = (relative ? set_point_.value_or(position_) : 0) + values.target_position;
             const bool at_once = (values.controlword & control_bits::change_immediately) != 0;
@@ -369,7 +368,7 @@ class emulated_axis {
             return when(halts ? rests : profile_.velocity() == values.target_velocity, status_bits::target_reached) |
                    when(rests, status_bits::speed_is_zero);
         case mode::homing:
-            return when(homing_ == homing::done || (homing_ != homing::failed && !homing_started_ && rests),
+            return when(homing_ == homing::done || (rests && (homing_ == homing::failed || !homing_started_)),
                         status_bits::target_reached) |
                    when(homing_ == homing::done, status_bits::homing_attained) |
                    when(homing_ == homing::failed, status_bits::homing_error);

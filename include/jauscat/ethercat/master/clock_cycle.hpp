@@ -39,7 +39,7 @@ enum class clock_agreement : std::uint8_t {
 struct clock_statistics {
     std::uint64_t sent{};
     std::uint64_t lost{};       ///< not back before the next cycle
-    std::uint64_t unanswered{}; ///< without the reference clock's time
+    std::uint64_t unanswered{}; ///< without the reference clock's time, or with what the master had estimated
     std::uint64_t takeovers{};  ///< of another slave as reference clock
 };
 
@@ -59,8 +59,10 @@ class clock_cycle {
           time_{system_time},
           expected_counter_{network.working_counter} {}
 
-    /// A cycle begins: writes its frame to `out`, at least 60 bytes, and returns its size; 0 where no clock is left.
-    [[nodiscard]] std::size_t next_frame(std::span<std::byte> out, time_point now) noexcept {
+    /// A cycle begins: writes its frame to `out`, at least 60 bytes, and returns its size; 0 where no clock is left. It
+    /// is sent `now`, `late` after it was due.
+    [[nodiscard]] std::size_t next_frame(std::span<std::byte> out, time_point now, duration late = {}) noexcept {
+        late_ = late;
         if (outstanding_.waits()) ++statistics_.lost;
         outstanding_.forget();
         has_time_ = returned_ = false;
@@ -68,7 +70,8 @@ class clock_cycle {
         if (is_lost()) return 0;
         frame_builder frame{out, ++index_};
         // Slaves that the reference clock's time does not reach take the estimate instead.
-        frame.add(command::frmw, slaves_[reference_].station, esc_registers::dc_system_time.address, dc_time{time_});
+        frame.add(command::frmw, slaves_[reference_].station, esc_registers::dc_system_time.address,
+                  dc_time{sent_time()});
         frame.read_all(esc_registers::dc_difference);
         const auto finished = frame.finish();
         if (!finished) return 0;
@@ -94,7 +97,7 @@ class clock_cycle {
     duration end_cycle() noexcept {
         if (returned_ && !has_time_) silent();
         if (has_time_) silent_ = 0;
-        return has_time_ ? control_.on_time(time_) : control_.on_missing();
+        return has_time_ ? control_.on_time(time_, late_) : control_.on_missing();
     }
 
     /// The frame of this cycle is not back yet.
@@ -133,9 +136,12 @@ class clock_cycle {
         estimated_at_ = now;
         estimates_ = true;
     }
-    // The estimate itself comes back where the reference clock has not answered.
+    // After a cycle without an answer it differs from the estimate, because a good one may be the reference time
+    // itself.
+    [[nodiscard]] std::uint64_t sent_time() const noexcept { return time_ + silent_ * 128u; }
+    // What was sent comes back where the reference clock has not answered.
     void take_time(std::uint64_t time) noexcept {
-        if (time == time_) return;
+        if (time == sent_time()) return;
         has_time_ = true;
         const bool is_wide = slaves_[reference_].width == clock_width::bits_64;
         time_ = is_wide ? time : extend_time(static_cast<std::uint32_t>(time), time_);
@@ -165,6 +171,7 @@ class clock_cycle {
     std::uint16_t expected_counter_, working_counter_{};
     outstanding_frame<2> outstanding_{};
     std::uint8_t index_{};
+    duration late_{}; // the last frame, after it was due
     bool has_time_{}, returned_{};
     bool estimates_{};
     time_point estimated_at_{};

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <cstdlib>
+#include <utility>
 
 namespace jauscat::ethercat {
 
@@ -24,6 +26,16 @@ struct cycle_control_options {
     unsigned lock_after{500};
     duration lose_beyond{std::chrono::microseconds{20}}; ///< the mean error of `lose_after` cycles in a row
     unsigned lose_after{200};
+
+    /// In the middle of the period; above 1 ms all durations are as many times longer as the period is.
+    [[nodiscard]] static constexpr cycle_control_options of_period(duration period) noexcept {
+        cycle_control_options options{.period = period, .phase = period / 2};
+        const std::int64_t longer = std::max<std::int64_t>(period / std::chrono::milliseconds{1}, 1);
+        for (duration* each :
+             {&options.largest_correction, &options.outlier, &options.lock_within, &options.lose_beyond})
+            *each *= longer;
+        return options;
+    }
 };
 
 /// A controller with a proportional and an integral part. Each cycle's reference time in, the correction of the next
@@ -32,17 +44,15 @@ class cycle_control {
   public:
     explicit cycle_control(const cycle_control_options& options = {}) noexcept : options_{options} {}
 
-    /// The reference clock's time when the last cycle's frame passed. Returns by how much later than after one period
-    /// the next cycle is due.
-    duration on_time(std::uint64_t reference_time) noexcept {
+    /// The reference clock's time when the last cycle's frame passed, which was sent `late` after it was due. Returns
+    /// by how much later than after one period the next cycle is due.
+    duration on_time(std::uint64_t reference_time, duration late = {}) noexcept {
         const auto period = std::max<std::int64_t>(options_.period.count(), 1);
-        const auto since = static_cast<std::int64_t>(reference_time % static_cast<std::uint64_t>(period));
-        auto error = (since - options_.phase.count()) % period; // above 0: the frame is late
-        if (error > period / 2) error -= period;
-        if (error <= -((period + 1) / 2)) error += period;
-        error_ = duration{error};
-        watch();
-        if (is_locked_ && std::chrono::abs(error_) > options_.outlier) return on_missing();
+        const auto own = phase_error(reference_time - static_cast<std::uint64_t>(late.count()));
+        error_ = duration{own} + late;
+        const auto error = median(own);
+        watch(error);
+        if (is_locked_ && std::abs(error) > options_.outlier.count()) return on_missing();
         // Two oscillators are never further apart than 1000 ppm.
         const auto most = period * std::int64_t{integral()} / 1'000;
         sum_ = std::clamp(sum_ + error, -most, most);
@@ -54,10 +64,12 @@ class cycle_control {
 
     /// The cycles follow the reference clock: slaves may go to OP.
     [[nodiscard]] bool is_locked() const noexcept { return is_locked_; }
-    /// Of the last cycle; above 0: the frame was late.
+    /// Of the last cycle's frame when it passed the reference clock; above 0: it was late.
     [[nodiscard]] duration error() const noexcept { return error_; }
-    /// Moving average.
+    /// Of the instants at which the frames are due, whenever they were sent: moving average.
     [[nodiscard]] duration mean_error() const noexcept { return duration{mean_ / mean_scale}; }
+    /// How far the frames are from their phase, early or late: moving average of some 250 cycles.
+    [[nodiscard]] duration deviation() const noexcept { return duration{deviation_ / deviation_scale}; }
     /// How much faster this clock is than the reference clock, in parts per billion.
     [[nodiscard]] std::int64_t drift() const noexcept {
         return -steady() * 1'000'000'000 / std::max<std::int64_t>(options_.period.count(), 1);
@@ -65,15 +77,34 @@ class cycle_control {
 
   private:
     static constexpr std::int64_t mean_scale = 16;
+    static constexpr std::int64_t deviation_scale = 256;
 
     [[nodiscard]] std::int64_t integral() const noexcept { return std::max(options_.integral, 1u); }
     [[nodiscard]] std::int64_t steady() const noexcept { return sum_ / integral(); }
 
-    void watch() noexcept {
-        mean_ += (error_.count() * mean_scale - mean_) / 10;
+    // Within half a period; above 0: late.
+    [[nodiscard]] std::int64_t phase_error(std::uint64_t time) const noexcept {
+        const auto period = std::max<std::int64_t>(options_.period.count(), 1);
+        const auto since = static_cast<std::int64_t>(time % static_cast<std::uint64_t>(period));
+        auto error = (since - options_.phase.count()) % period;
+        if (error > period / 2) error -= period;
+        if (error <= -((period + 1) / 2)) error += period;
+        return error;
+    }
+    // Of this error and the two before it: a single frame that was held up does not count.
+    [[nodiscard]] std::int64_t median(std::int64_t error) noexcept {
+        if (!std::exchange(has_begun_, true)) last_ = before_ = error;
+        const auto middle = std::max(std::min(last_, before_), std::min(std::max(last_, before_), error));
+        before_ = std::exchange(last_, error);
+        return middle;
+    }
+
+    void watch(std::int64_t error) noexcept {
+        mean_ += (error * mean_scale - mean_) / 10;
+        deviation_ += std::abs(error_.count()) - deviation_ / deviation_scale;
         const auto size = std::chrono::abs(mean_error());
         if (is_locked_) {
-            count_ = size > options_.lose_beyond || std::chrono::abs(error_) > options_.outlier ? count_ + 1 : 0;
+            count_ = size > options_.lose_beyond || std::abs(error) > options_.outlier.count() ? count_ + 1 : 0;
             if (count_ < options_.lose_after) return;
         } else {
             count_ = size < options_.lock_within ? count_ + 1 : 0;
@@ -84,8 +115,11 @@ class cycle_control {
     }
 
     cycle_control_options options_;
-    std::int64_t sum_{};  // of the errors
-    std::int64_t mean_{}; // in 1 / mean_scale ns
+    std::int64_t sum_{};             // of the errors
+    std::int64_t mean_{};            // in 1 / mean_scale ns
+    std::int64_t deviation_{};       // in 1 / deviation_scale ns
+    std::int64_t last_{}, before_{}; // the errors of the last cycles
+    bool has_begun_{};
     duration error_{};
     unsigned count_{}; // cycles that speak for the other state
     bool is_locked_{};

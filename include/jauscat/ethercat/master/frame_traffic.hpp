@@ -19,6 +19,17 @@ struct master_statistics {
     std::uint64_t ignored{};    ///< late, duplicate and foreign frames
     std::uint64_t foreign{};    ///< of those: never sent here. Another master uses this wire.
     std::uint64_t circulated{}; ///< replies that a slave without a link to the master has marked: the ring is broken
+
+    /// Adds those of another master on the same link.
+    constexpr master_statistics& operator+=(const master_statistics& other) noexcept {
+        sent += other.sent;
+        received += other.received;
+        lost += other.lost;
+        ignored += other.ignored;
+        foreign += other.foreign;
+        circulated += other.circulated;
+        return *this;
+    }
 };
 
 /// Does not look into frames. The master asks before it sends, and reports what it has sent.
@@ -58,21 +69,28 @@ class frame_traffic {
     /// executed.
     replies take(std::span<const std::byte> frame, bool was_refused = false) noexcept {
         frame_view view;
-        const bool parsed = static_cast<bool>(view.parse(frame));
         const bool is_first = outstanding_.waits();
-        auto datagrams = (is_first || was_refused) && parsed ? outstanding_.match(view) : replies{};
-        if (!is_first && !datagrams.empty() && datagrams.front().working_counter == 0) datagrams = {};
-        if (datagrams.empty()) {
-            ++statistics_.ignored;
-            if (parsed && !outstanding_.claim(view)) ++statistics_.foreign;
-            return {};
-        }
+        if ((!is_first && !was_refused) || !view.parse(frame)) return {};
+        const auto datagrams = outstanding_.match(view);
+        if (datagrams.empty() || (!is_first && datagrams.front().working_counter == 0)) return {};
         ++statistics_.received;
         if (datagrams.front().header.circulating) ++statistics_.circulated;
         if (config_.frames_may_be_copied) unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
         losses_ = 0;
         repeats_ = false;
         return datagrams;
+    }
+
+    /// Whether a frame that was not taken was sent here before: it is late, or a copy.
+    bool claim(std::span<const std::byte> frame) noexcept {
+        frame_view view;
+        return view.parse(frame) && outstanding_.claim(view);
+    }
+    /// Counts a frame that was not taken.
+    void ignore(std::span<const std::byte> frame) noexcept {
+        frame_view view;
+        ++statistics_.ignored;
+        if (view.parse(frame) && !outstanding_.claim(view)) ++statistics_.foreign;
     }
 
     /// Whether the reply should have come by now.
@@ -93,6 +111,9 @@ class frame_traffic {
         unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
         outstanding_.forget();
     }
+
+    /// From when on no frame that was lost can arrive any more.
+    [[nodiscard]] time_point settled_at() const noexcept { return unsettled_until_; }
 
     /// When `is_late` or `may_send` will be true, if no frame arrives first.
     [[nodiscard]] time_point next_event() const noexcept {

@@ -515,7 +515,9 @@ template <> class job_machine<collect_emergencies> {
     [[nodiscard]] master_error begin(const collect_emergencies& job, ring_knowledge& ring,
                                      const master_config&) noexcept {
         exchange_ = mailbox_exchange::collect();
-        return detail::choose_mailbox(ring.slaves, job.station, slave_);
+        const auto wrong = detail::choose_mailbox(ring.slaves, job.station, slave_);
+        if (wrong == master_error{} && slave_->is_lent) return {.code = master_errc::busy}; // the other one collects
+        return wrong;
     }
     void request(frame_builder& frame) noexcept { exchange_.request(frame, *slave_, nothing_); }
     progress reply(replies datagrams, time_point now, const master_config& config) noexcept {

@@ -6,6 +6,7 @@
 #include <jauscat/ethercat/master/mailbox_exchange.hpp>
 #include <jauscat/ethercat/master/sdo_transfer.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
+#include <jauscat/schema/ethercat/esc_registers.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -22,29 +23,35 @@ template <mailbox_protocol Protocol> class mailbox_session {
         slave_ = &slave;
         protocol_ = protocol;
         if constexpr (is_transfer) protocol_.use_mailbox(slave.mailbox.receive_size);
-        start(slave.unfinished ? part::abort_earlier : part::protocol);
+        if (!slave.is_lent) start_first();
     }
 
     /// Bytes that the protocol has received.
     [[nodiscard]] const master_result<std::size_t>& result() const noexcept { return result_; }
 
     void request(frame_builder& frame) noexcept {
-        if (part_ == part::protocol)
+        if (part_ == part::wait)
+            frame.read(slave_->station, sync_manager_handshake_of(0)); // changes nothing
+        else if (part_ == part::protocol)
             exchange_.request(frame, *slave_, protocol_);
         else
             exchange_.request(frame, *slave_, abort_);
     }
     progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
         const auto& datagram = datagrams.front();
+        if (part_ == part::wait) return slave_->is_lent ? progress::wait : start_first();
         const auto next = part_ == part::protocol ? exchange_.reply(datagram, now, config, *slave_, protocol_)
                                                   : exchange_.reply(datagram, now, config, *slave_, abort_);
         return next == progress::done ? message_complete() : next;
     }
     [[nodiscard]] bool was_refused() const noexcept { return exchange_.was_refused(); }
-    [[nodiscard]] bool is_repeatable() const noexcept { return exchange_.is_repeatable(); }
-    void lost() noexcept { exchange_.lost(*slave_); }
+    [[nodiscard]] bool is_repeatable() const noexcept { return part_ == part::wait || exchange_.is_repeatable(); }
+    void lost() noexcept {
+        if (part_ != part::wait) exchange_.lost(*slave_);
+    }
     /// Gives up. A transfer that the slave has open is aborted before the next one. Returns how the session has ended.
     master_error cancel(const master_error& why) noexcept {
+        if (part_ == part::wait) return why;
         exchange_.abandon(*slave_);
         if constexpr (is_transfer)
             if (part_ == part::protocol && protocol_.is_open()) slave_->unfinished = protocol_.abort_message();
@@ -54,11 +61,13 @@ template <mailbox_protocol Protocol> class mailbox_session {
   private:
     static constexpr bool is_transfer = std::same_as<Protocol, sdo_transfer>;
     enum class part : std::uint8_t {
+        wait,          // until the mailbox is not lent any more
         abort_earlier, // a transfer given up before stands in the way of this one
         protocol,
         abort, // the transfer has failed, and the slave is told so
     };
 
+    progress start_first() noexcept { return start(slave_->unfinished ? part::abort_earlier : part::protocol); }
     // The next message of the protocol, or an abort.
     progress start(part what) noexcept {
         part_ = what;

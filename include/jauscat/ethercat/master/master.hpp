@@ -51,6 +51,8 @@ class master {
         if (!idle()) return master_error{.code = master_errc::busy};
         runs_ = true;
         error_ = {};
+        station_ = 0;
+        if constexpr (requires { job.station; }) station_ = job.station;
         frames_.begin();
         auto& machine = machine_.template emplace<job_machine<Job>>();
         if (const auto wrong = machine.begin(job, ring_, frames_.config()); wrong != master_error{})
@@ -90,11 +92,29 @@ class master {
 
     /// Whether no job runs, so that one may be started.
     [[nodiscard]] bool idle() const noexcept { return !runs_; }
+    /// Whether the job that runs is one for this slave alone.
+    [[nodiscard]] bool serves(std::uint16_t station) const noexcept { return runs_ && station_ == station; }
     [[nodiscard]] std::span<const slave_record> slaves() const noexcept { return ring_.slaves.all(); }
     /// Slaves that it has memory for.
     [[nodiscard]] std::size_t capacity() const noexcept { return ring_.slaves.capacity(); }
     /// The record of a slave; none if it has not been brought up.
     [[nodiscard]] const slave_record* find(std::uint16_t station) const noexcept { return ring_.slaves.find(station); }
+    /// Lends a slave's mailbox to `other`, which knows that slave alone then: transfers of this master wait until it is
+    /// returned. Only while `other` is idle. False if the slave is not known.
+    bool lend(std::uint16_t station, master& other) noexcept {
+        auto* const slave = ring_.slaves.find(station);
+        if (slave == nullptr) return false;
+        other.ring_.slaves.clear();
+        other.ring_.slaves.add(*slave);
+        slave->is_lent = true;
+        return true;
+    }
+    /// Takes it back, unless the slave was brought up again meanwhile.
+    void take_back(const master& other) noexcept {
+        for (const auto& each : other.slaves())
+            if (auto* const slave = ring_.slaves.find(each.station); slave != nullptr && slave->is_lent)
+                slave->return_mailbox(each);
+    }
     /// Forgets a slave's emergencies.
     void clear_emergencies(std::uint16_t station) noexcept {
         if (auto* const slave = ring_.slaves.find(station)) slave->emergencies.clear();
@@ -116,8 +136,15 @@ class master {
         return finished->size();
     }
 
-    /// Takes a frame that arrived. False if it was not the reply that is waited for: it then changed nothing.
+    /// Takes a frame that arrived. False if it was not the reply that is waited for: it then changed nothing, and is
+    /// counted.
     bool on_frame(std::span<const std::byte> frame, time_point now) noexcept {
+        const bool was_taken = take(frame, now);
+        if (!was_taken) frames_.ignore(frame);
+        return was_taken;
+    }
+    /// The same, but not counted. For several masters on one link: first `take` of each, then `claim`.
+    bool take(std::span<const std::byte> frame, time_point now) noexcept {
         bool was_refused = false;
         if (!idle()) with_machine([&](auto& machine) { was_refused = machine.was_refused(); });
         const auto datagrams = frames_.take(frame, was_refused);
@@ -129,6 +156,11 @@ class master {
         if (next == progress::done) with_machine([&](auto& machine) { finish(machine.complete(ring_)); });
         return true;
     }
+
+    /// Whether a frame that nobody has taken was sent by this master before: it is late, or a copy.
+    bool claim(std::span<const std::byte> frame) noexcept { return frames_.claim(frame); }
+    /// From when on no frame that was lost can arrive any more, so that it may serve another slave.
+    [[nodiscard]] time_point settled_at() const noexcept { return frames_.settled_at(); }
 
     /// Time has passed: a frame that is not back after `frame_timeout` is lost and asked for again, then given up.
     void on_time(time_point now) noexcept {
@@ -167,6 +199,7 @@ class master {
     ring_knowledge ring_;
     any_job_machine machine_{};
     bool runs_{};
+    std::uint16_t station_{}; // of the job; 0: none, or several
     master_error error_{};
 };
 

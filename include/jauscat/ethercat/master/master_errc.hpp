@@ -35,6 +35,7 @@ enum class master_errc : std::uint8_t {
     image_full,        ///< the slave's process data are larger than one frame carries; bytes
     watchdog_range,    ///< a watchdog time that the registers cannot express
     watchdog_not_kept, ///< the slave does not keep its watchdog's settings; watchdog_divider, watchdog_units
+    object_not_kept,   ///< a start-up object of a process part reads back differently; command
     not_configured,    ///< the slave's process data and watchdog are not set: OP is not requested
     mailbox_full,      ///< the slave does not read its mailbox
     mailbox_timeout,   ///< the slave took the request and did not answer
@@ -79,6 +80,7 @@ enum class master_errc : std::uint8_t {
     case master_errc::too_many_managers: return "the slave spreads its process data over more than four SyncManagers";
     case master_errc::image_full: return "the slave's process data do not fit one frame: map fewer PDOs";
     case master_errc::watchdog_range: return "the watchdog time is out of range: give 0.1 ms to 6553.5 ms";
+    case master_errc::object_not_kept: return "the slave does not keep a start-up object: see its range in the slave";
     case master_errc::watchdog_not_kept: return "the slave does not keep its watchdog's settings: it must not go to OP";
     case master_errc::not_configured: return "the slave's watchdog is not set: configure the slave before OP";
     case master_errc::mailbox_full:
@@ -105,7 +107,7 @@ enum class master_errc : std::uint8_t {
 }
 
 /// An error of the master, and what it is about. Only the members that master_errc names for the code have a value, and
-/// `command` where an init command has failed.
+/// `command` where an init command or start-up object has failed.
 struct master_error {
     master_errc code{};
     al_state state{};                 ///< the state that the slave is in

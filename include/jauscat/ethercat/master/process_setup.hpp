@@ -64,7 +64,7 @@ class process_setup {
         // Without assignment objects the SII counts, as for a slave without CoE.
         if (upload.error().code == master_errc::sdo_abort && step_ == step::assignment && pdo_ == 0)
             return survey(true);
-        if (!upload) return fail(upload.error());
+        if (!upload) return give_back(upload.error());
         if (step_ == step::assignment) return assigned(number_of(*upload));
         return mapped(number_of(*upload));
     }
@@ -85,6 +85,7 @@ class process_setup {
     }
 
     progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
+        if (failure_ != master_error{}) return fail(failure_); // the SII is given back
         if (result_ = executed_by_one(datagrams); !result_) return progress::done;
         switch (step_) {
         case step::describe: {
@@ -102,7 +103,7 @@ class process_setup {
         }
         const auto after = survey_.reply(datagrams.front(), now, config);
         if (after != progress::done) return after;
-        if (result_ = survey_.result(); !result_) return progress::done;
+        if (!survey_.result()) return give_back(survey_.result().error());
         return by_coe_ ? next_manager() : go(step::give_sii);
     }
 
@@ -128,6 +129,11 @@ class process_setup {
     progress fail(const master_error& error) noexcept {
         result_ = error;
         return progress::done;
+    }
+    // Fails once the slave's application has the SII again.
+    progress give_back(const master_error& why) noexcept {
+        failure_ = why;
+        return go(step::give_sii);
     }
     progress survey(bool sizes) noexcept {
         by_coe_ = !sizes;
@@ -272,6 +278,7 @@ class process_setup {
     std::array<std::byte, 4> value_{}; // of an object
     std::uint32_t pdo_{}, pdos_left_{}, entry_{}, entries_left_{};
     std::uint16_t mapping_{};
+    master_error failure_{}; // after which the SII is to be given back
     master_result<> result_{};
 };
 

@@ -67,6 +67,7 @@ class slave_bring_up {
     }
 
     progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
+        if (failure_ != master_error{}) return fail(failure_); // the SII is given back
         const auto counter = datagrams.front().working_counter;
         switch (step_) {
         case step::count:
@@ -133,10 +134,17 @@ class slave_bring_up {
         return progress::done;
     }
 
+    // Fails once the slave's application has the SII again.
+    progress give_back(const master_error& why) noexcept {
+        failure_ = why;
+        return go(step::give_sii);
+    }
+    [[nodiscard]] bool has_sii() const noexcept { return step_ == step::read_identity || step_ == step::read_mailbox; }
+
     // Handles the progress of a part.
     progress finish(const auto& part, progress after) noexcept {
         if (after != progress::done) return after;
-        if (result_ = part.result(); !result_) return progress::done;
+        if (!part.result()) return has_sii() ? give_back(part.result().error()) : fail(part.result().error());
         switch (step_) {
         case step::to_init: return go(step::take_sii);
         case step::read_identity: return identified();
@@ -155,7 +163,7 @@ class slave_bring_up {
     progress identified() noexcept {
         static_cast<void>(wire::decode(slave_.identity, identity_));
         if (!expected_.accepts(slave_.identity))
-            return fail({.code = master_errc::wrong_identity, .product = slave_.identity.product});
+            return give_back({.code = master_errc::wrong_identity, .product = slave_.identity.product});
         return read(step::read_mailbox, sii_words::mailbox, mailbox_);
     }
 
@@ -164,7 +172,8 @@ class slave_bring_up {
         static_cast<void>(wire::decode(mailbox, mailbox_));
         if (mailbox.receive_size == 0 && mailbox.send_size == 0) return go(step::give_sii); // a slave without one
         const auto usable = [](std::uint16_t size) { return size >= min_mailbox_size && size <= max_mailbox_size; };
-        if (!usable(mailbox.receive_size) || !usable(mailbox.send_size)) return fail({.code = master_errc::no_mailbox});
+        if (!usable(mailbox.receive_size) || !usable(mailbox.send_size))
+            return give_back({.code = master_errc::no_mailbox});
         return go(step::configure);
     }
 
@@ -191,6 +200,7 @@ class slave_bring_up {
     std::array<std::byte, wire::max_size<sii_identity>> identity_{};
     std::array<std::byte, wire::max_size<sii_mailbox>> mailbox_{};
     slave_record slave_{};
+    master_error failure_{}; // after which the SII is to be given back
     master_result<> result_{};
 };
 

@@ -62,6 +62,7 @@ class slave_identification {
     }
 
     progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
+        if (failure_ != master_error{}) return fail(failure_); // the SII is given back
         if (result_ = executed_by_one(datagrams); !result_) return progress::done;
         switch (step_) {
         case step::read_registers: {
@@ -105,6 +106,15 @@ class slave_identification {
         step_ = next;
         return progress::send;
     }
+    progress fail(const master_error& error) noexcept {
+        result_ = error;
+        return progress::done;
+    }
+    // Fails once the slave's application has the SII again.
+    progress give_back(const master_error& why) noexcept {
+        failure_ = why;
+        return go(step::give_sii);
+    }
     progress read(step next, std::uint32_t word, std::span<std::byte> into) noexcept {
         sii_ = sii_read{word, into};
         return go(next);
@@ -112,7 +122,7 @@ class slave_identification {
     progress sii_reply(const datagram_view& datagram, time_point now, const master_config& config) noexcept {
         const auto after = sii_.reply(datagram, now, config);
         if (after != progress::done) return after;
-        if (result_ = sii_.result(); !result_) return progress::done;
+        if (!sii_.result()) return give_back(sii_.result().error());
         if (step_ == step::read_alias) {
             esc_word alias{};
             static_cast<void>(wire::decode_prefix(alias, alias_));
@@ -132,6 +142,7 @@ class slave_identification {
     std::array<std::byte, wire::max_size<esc_word>> alias_{};
     std::array<std::byte, wire::max_size<sii_identity>> identity_{};
     slave_identity found_{};
+    master_error failure_{}; // after which the SII is to be given back
     master_result<> result_{};
 };
 

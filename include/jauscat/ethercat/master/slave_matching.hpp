@@ -14,7 +14,7 @@
 namespace jauscat::ethercat {
 
 /// A slave that is expected. Alias, device identification and serial number name it wherever it is; without them it is
-/// the slave at its position.
+/// the slave at its position, or, without a position, the one of its identity.
 struct expected_slave {
     std::optional<std::uint16_t> position{};
     std::optional<std::uint16_t> alias{};
@@ -61,13 +61,13 @@ namespace detail {
 
 /// Whether `wanted` is named by more than its position, and whether `slave` has that name.
 [[nodiscard]] constexpr bool has_name(const expected_slave& wanted) noexcept {
-    return wanted.alias || wanted.device_id || wanted.identity.serial;
+    return wanted.alias || wanted.device_id || wanted.identity.serial || !wanted.position;
 }
 [[nodiscard]] constexpr bool is_named(const expected_slave& wanted, const slave_identity& slave) noexcept {
     if (wanted.alias && *wanted.alias != slave.alias) return false;
     if (wanted.device_id && wanted.device_id != slave.device_id) return false;
     // A serial number is one only together with the device.
-    return !wanted.identity.serial || wanted.alias || wanted.device_id || wanted.identity.accepts(slave.identity);
+    return wanted.alias || wanted.device_id || wanted.identity.accepts(slave.identity);
 }
 
 [[nodiscard]] constexpr matched_slave match_named(const expected_slave& wanted,

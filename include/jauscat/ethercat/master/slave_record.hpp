@@ -94,9 +94,21 @@ struct slave_record {
     std::uint32_t last_reply_mark{};  ///< of the last mailbox message received: distinguishes it from the next one
     std::uint8_t abandoned_counter{}; ///< of an abandoned request: its answer may still arrive
     bool drained{};                   ///< no old message waits in the reply mailbox
+    bool is_lent{};                   ///< another master uses the mailbox: transfers of this one wait
     /// Pending abort of a cancelled segmented transfer; sent before the next transfer.
     std::optional<sdo_abort> unfinished{};
     emergency_log emergencies{}; ///< since it was brought up, or since they were cleared
+
+    /// Takes over how the mailbox was left by the master to which it was lent.
+    constexpr void return_mailbox(const slave_record& from) noexcept {
+        last_counter = from.last_counter;
+        last_reply_mark = from.last_reply_mark;
+        abandoned_counter = from.abandoned_counter;
+        drained = from.drained;
+        unfinished = from.unfinished;
+        emergencies = from.emergencies;
+        is_lent = false;
+    }
 };
 
 } // namespace jauscat::ethercat

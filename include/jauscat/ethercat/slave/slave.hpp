@@ -8,6 +8,7 @@
 #include <jauscat/ethercat/slave/sii_image.hpp>
 #include <jauscat/ethercat/slave/slave_mailbox.hpp>
 #include <jauscat/ethercat/slave/slave_process_data.hpp>
+#include <jauscat/ethercat/slave/sync_report.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 #include <jauscat/schema/ethercat/sii.hpp>
@@ -43,6 +44,7 @@ class slave {
         mailbox_.power_on(esc_);
         process_data_.power_on(esc_);
         sync0_count_ = 0;
+        report_ = {};
     }
     /// Whether another slave is connected behind this one, for masters that look at the wiring. Kept at power-on.
     void set_downstream(bool connected) noexcept { esc_.set_downstream(connected); }
@@ -82,8 +84,15 @@ class slave {
         esc_.clock().advance(now);
         const auto count = esc_.clock().take_sync0();
         sync0_count_ += count;
+        const auto& activation = esc_.clock().activation();
+        report_.type = !activation.on || !activation.sync0 ? sync_type::free_run
+                       : activation.sync1                  ? sync_type::sync1
+                                                           : sync_type::sync0;
+        report_.sync0_cycle = report_.type == sync_type::free_run ? 0 : esc_.load(esc_registers::dc_sync0_cycle).value;
         if (state() != al_state::op) return;
         process_data_.on_sync0(count);
+        report_.missed = static_cast<std::uint16_t>(std::min<std::uint64_t>(process_data_.sync_missed(), 0xFFFF));
+        report_.error = process_data_.missed_in_row() != 0;
         const auto limit = description_.sync_missed_limit;
         if (limit != 0 && process_data_.missed_in_row() >= limit) leave_op(al_status_code::synchronization);
     }
@@ -93,6 +102,9 @@ class slave {
     [[nodiscard]] std::uint64_t sync0_count() const noexcept { return sync0_count_; }
     /// Those of them in OP that found no outputs written since the one before.
     [[nodiscard]] std::uint64_t sync_missed() const noexcept { return process_data_.sync_missed(); }
+
+    /// For `standard_objects::show`, so that a master can read it.
+    [[nodiscard]] const sync_report& synchronization() const noexcept { return report_; }
 
     /// The application's part of `process`: states, SII, process data and mailbox.
     void work() noexcept {
@@ -208,6 +220,7 @@ class slave {
     slave_process_data process_data_;
     esc esc_{};
     std::uint64_t sync0_count_{};
+    sync_report report_{};
 };
 
 } // namespace jauscat::ethercat

@@ -47,7 +47,8 @@ struct slave_description {
     std::string_view hardware_version{};      ///< object 1009h; empty: it has none
     std::string_view software_version{};      ///< object 100Ah; empty: it has none
     std::optional<std::uint16_t> device_id{}; ///< explicit device identification, such as a selector switch
-    bool synchronization{};                   ///< with process data: it has objects 1C32h and 1C33h, which say free run
+    /// With process data: it has objects 1C32h and 1C33h. They say free run, but for standard_objects::show.
+    bool synchronization{};
     clock_width clock{}; ///< whether it has a distributed clock, which needs `slave::pass` with the time
     /// With outputs: after so many SYNC0 in a row that found no new outputs, it leaves OP (001Ah); 0: never.
     std::uint16_t sync_missed_limit{};

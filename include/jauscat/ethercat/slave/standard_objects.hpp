@@ -4,6 +4,8 @@
 
 #include <jauscat/ethercat/slave/object_dictionary.hpp>
 #include <jauscat/ethercat/slave/slave_description.hpp>
+#include <jauscat/ethercat/slave/sync_report.hpp>
+#include <jauscat/schema/ethercat/dc_registers.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 #include <jauscat/schema/ethercat/pdo.hpp>
 #include <jauscat/schema/ethercat/sii.hpp>
@@ -42,6 +44,10 @@ class standard_objects {
     /// What `description` and `application` refer to must outlive this.
     constexpr standard_objects(const slave_description& description, object_dictionary application) noexcept
         : description_{description}, application_{application} {}
+
+    /// Objects 1C32h and 1C33h, where the description has them, say from now on what `slave::synchronization` gives,
+    /// which outlives this: types, cycles, missed SYNC0 and error.
+    constexpr void show(const sync_report& synchronization) noexcept { synchronization_ = &synchronization; }
 
     /// Aborts: no_subindex and exceeds_mailbox, those of the application.
     object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
@@ -89,7 +95,7 @@ class standard_objects {
                                variable ? std::uint8_t{} : std::to_integer<std::uint8_t>(first.bytes.front()),
                            .code = kind->code,
                            .name = kind->name,
-                           .complete_access = !variable};
+                           .complete_access = !variable && (synchronization_ == nullptr || !is_synchronization(index))};
     }
     [[nodiscard]] std::optional<entry_info> describe(std::uint16_t index, std::uint8_t subindex) const noexcept {
         value found{};
@@ -99,9 +105,12 @@ class standard_objects {
         if (error != abort_code::none) return {};
         const bool variable = kind->code == object_code::variable;
         if (!variable && subindex == 0) return highest_subindex_info;
-        const bool is_word = kind->object_type == data_types::synchronization && found.size == 2;
-        return entry_info{.data_type = is_word ? data_types::unsigned16 : kind->entry_type,
-                          .bits = static_cast<std::uint16_t>(found.size * 8),
+        const bool synchronizes = is_synchronization(index);
+        const bool is_flag = synchronizes && found.size == 1, is_word = synchronizes && found.size == 2;
+        return entry_info{.data_type = is_flag   ? data_types::boolean
+                                       : is_word ? data_types::unsigned16
+                                                 : kind->entry_type,
+                          .bits = static_cast<std::uint16_t>(is_flag ? 1 : found.size * 8),
                           .access = readable_always,
                           .name = variable ? kind->name : entry_name(index, subindex - 1u)};
     }
@@ -160,13 +169,16 @@ class standard_objects {
         constexpr std::array<std::string_view, 4> identity{"Vendor ID", "Product code", "Revision", "Serial number"};
         constexpr std::array<std::string_view, 4> managers{"SyncManager 0", "SyncManager 1", "SyncManager 2",
                                                            "SyncManager 3"};
-        constexpr std::array<std::string_view, 6> synchronization{
-            "Synchronization type", "Cycle time",        "Shift time", "Synchronization types supported",
-            "Minimum cycle time",   "Calc and copy time"};
+        constexpr std::array<std::string_view, 13> synchronization{
+            "Synchronization type", "Cycle time",         "Shift time",         "Synchronization types supported",
+            "Minimum cycle time",   "Calc and copy time", "Minimum delay time", "Get cycle time",
+            "Delay time",           "SYNC0 cycle time",   "SM event missed",    "Cycle time too small",
+            "Shift time too short"};
         if (const auto pdo = pdo_of(index)) return name_of(pdo->entries[entry]);
         switch (index) {
         case standard_indices::output_synchronization:
-        case standard_indices::input_synchronization: return synchronization[entry];
+        case standard_indices::input_synchronization:
+            return entry < synchronization.size() ? synchronization[entry] : "Sync error";
         case standard_indices::identity: return identity[entry];
         case standard_indices::sync_manager_types: return managers[entry];
         default: return "PDO";
@@ -184,6 +196,32 @@ class standard_objects {
     };
 
     static constexpr std::byte free_run_supported{0x01};
+    static constexpr std::uint16_t by_clock_supported = 0x0D; // free run, SYNC0, SYNC1
+
+    [[nodiscard]] static constexpr bool is_synchronization(std::uint16_t index) noexcept {
+        return index == standard_indices::output_synchronization || index == standard_indices::input_synchronization;
+    }
+    // 1C32h or 1C33h of a slave that shows how it is synchronized. Times that it does not have are 0.
+    [[nodiscard]] abort_code find_synchronization(std::uint8_t subindex, value& out) const noexcept {
+        constexpr std::uint8_t last_time = 13, error = 32;
+        const auto& now = *synchronization_;
+        switch (subindex) {
+        case 0: out.put(error); break;
+        case 1: out.put_message(esc_word{static_cast<std::uint16_t>(now.type)}); break;
+        case 4: out.put_message(esc_word{by_clock_supported}); break;
+        case 2:
+        case 10: out.put_message(dc_time_32{now.sync0_cycle}); break;
+        case 11: out.put_message(esc_word{now.missed}); break;
+        case 8:
+        case 12:
+        case last_time: out.size = 2; break;
+        case error: out.put(now.error ? 1 : 0); break;
+        default:
+            if (subindex > last_time) return abort_code::no_subindex;
+            out.size = 4;
+        }
+        return abort_code::none;
+    }
 
     // Error no_object: it is none of the standard ones.
     [[nodiscard]] abort_code find(std::uint16_t index, std::uint8_t subindex, value& out) const noexcept {
@@ -216,6 +254,7 @@ class standard_objects {
         };
         const auto synchronization = [&](std::span<const pdo_entry> all) {
             if (!description_.synchronization || all.empty()) return abort_code::no_object;
+            if (synchronization_ != nullptr) return find_synchronization(subindex, out);
             return entries(6, [&](std::size_t i) {
                 out.size = i == 0 || i == 3 ? 2 : 4;                // type and types supported: words
                 if (i == 3) out.bytes.front() = free_run_supported; // all others 0: free run, and no times
@@ -261,6 +300,7 @@ class standard_objects {
 
     slave_description description_;
     object_dictionary application_;
+    const sync_report* synchronization_{};
 };
 
 } // namespace jauscat::ethercat

@@ -43,8 +43,8 @@ enum class received : std::uint8_t {
 ///
 /// Some nodes number all messages 0, and some programs restart with the same numbers. So the body is compared too, and
 /// a number that is used for another message removes remembered messages: the number 0 those with this number, any
-/// other number all of the source, which must have restarted. A message that cannot be distinguished from a repeat
-/// counts as one: an old command must not move anything again.
+/// other number all that the source sent before it restarted, as it must have. A message that cannot be distinguished
+/// from a repeat counts as one: an old command must not move anything again.
 ///
 /// Of a source that has used only the number 0, any event in between makes the same message a new one: another command
 /// of the source, also one that is not remembered, an executed command of another source, and a change by the component
@@ -164,7 +164,7 @@ class acknowledged_receiver {
     };
     [[nodiscard]] constexpr search find(const acknowledged_message& key, time_point now) const noexcept {
         search found{};
-        bool is_used_again = false;
+        const acknowledged_message* used_again = nullptr; // the last message that had this number
         const auto is_over = [&](const acknowledged_message& m) { return !is_pending(m) && m.until <= now; };
         for (acknowledged_message& m : places_) {
             const bool is_same_message = m.source == key.source && m.sequence_number == key.sequence_number &&
@@ -180,14 +180,24 @@ class acknowledged_receiver {
                 if (m.superseded || m.sequence_number != key.sequence_number) continue;
                 if (is_same_message)
                     found.same = &m;
-                else
-                    is_used_again = true;
+                else if (used_again == nullptr || used_again->until < m.until)
+                    used_again = &m;
             }
         }
-        if (!is_used_again) return found;
+        if (used_again == nullptr) return found;
+        const auto used_until = used_again->until;
         for (acknowledged_message& m : places_)
-            if (m.source == key.source && (key.sequence_number != 0 || m.sequence_number == 0)) m.superseded = true;
+            if (m.source == key.source &&
+                (key.sequence_number == 0 ? m.sequence_number == 0 : !is_later(m, key, used_until)))
+                m.superseded = true;
         return find(key, now);
+    }
+    // Whether a message of the restarted source `key` was sent after its restart: before `key`, by its number, and
+    // received after the message that had the number of `key`.
+    [[nodiscard]] static constexpr bool is_later(const acknowledged_message& m, const acknowledged_message& key,
+                                                 time_point used_until) noexcept {
+        return m.sequence_number != 0 && m.until > used_until &&
+               static_cast<std::int16_t>(m.sequence_number - key.sequence_number) < 0;
     }
     // A sender that counts uses the number 0 once in 65536 commands: a new command with 0 ends the entries of earlier
     // ones.

@@ -1,6 +1,7 @@
 // <ethercat> of a configuration file: the EtherCAT master of a system.
 #pragma once
 
+#include <jauscat/net/config/config_slaves.hpp>
 #include <jauscat/net/config/detail/config_values.hpp>
 #include <jauscat/net/config/jaus_config.hpp>
 
@@ -32,7 +33,7 @@ inline void config_interface(const config_source& source, const config_value& va
 /// Reads the entry of `system`. Its other values must have been read.
 inline ethercat_entry config_ethercat(const config_source& source, pugi::xml_node node, const system_entry& system) {
     std::array values{config_value{"controller"}, config_value{"interface"}};
-    source.collect(node, values);
+    source.collect(node, values, {"slave"});
     const auto& [controller, interface_name] = values;
     source.need(node, {interface_name});
     const auto line = source.line_of(node);
@@ -43,6 +44,7 @@ inline ethercat_entry config_ethercat(const config_source& source, pugi::xml_nod
                         "number as station address");
     ethercat_entry made{.controller = controller.given ? std::string{controller.text} : system.name, .line = line};
     config_interface(source, interface_name, made);
+    made.slaves = config_slaves(source, node);
     return made;
 }
 

@@ -3,6 +3,7 @@
 
 #include <jauscat/jaus/message/framing.hpp>
 #include <jauscat/net/config/jausip.hpp>
+#include <jauscat/net/config/slave_entry.hpp>
 #include <jauscat/net/config/udp_options.hpp>
 #include <jauscat/net/config_error.hpp>
 #include <jauscat/net/detail/quoted.hpp>
@@ -23,10 +24,11 @@ namespace jauscat::net {
 
 /// A component of a system, as announced to other systems.
 struct component_entry {
-    jaus::address id{};        ///< all levels named, each 1 to 254
-    std::string name{};        ///< may be empty
-    std::uint8_t authority{0}; ///< its authority code, 0 lowest to 255 highest
-    std::size_t line{};        ///< where the file declares it
+    jaus::address id{};                ///< all levels named, each 1 to 254
+    std::string name{};                ///< may be empty
+    std::uint8_t authority{0};         ///< its authority code, 0 lowest to 255 highest
+    std::vector<std::string> slaves{}; ///< behind it, in the order of its joints; names in the system's `ethercat`
+    std::size_t line{};                ///< where the file declares it
     friend bool operator==(const component_entry&, const component_entry&) = default;
 };
 
@@ -38,14 +40,21 @@ struct node_entry {
     friend bool operator==(const node_entry&, const node_entry&) = default;
 };
 
-/// The EtherCAT master of a system, and the program that runs it. The slave's station address is the system's node.
+/// The EtherCAT master of a system, and the program that runs it. Without `slaves`, the first slave's station address
+/// is the system's node.
 struct ethercat_entry {
-    std::string controller{};     ///< name of the system that runs the master
-    std::string interface_name{}; ///< network interface, such as `eth0`; empty: EtherCAT in UDP
-    std::string udp_host{};       ///< host of the slave, for EtherCAT in UDP
-    std::uint16_t udp_port{};     ///< its port, for EtherCAT in UDP
-    std::size_t line{};           ///< where the file declares it
+    std::string controller{};          ///< name of the system that runs the master
+    std::string interface_name{};      ///< network interface, such as `eth0`; empty: EtherCAT in UDP
+    std::string udp_host{};            ///< host of the slave, for EtherCAT in UDP
+    std::uint16_t udp_port{};          ///< its port, for EtherCAT in UDP
+    std::vector<slave_entry> slaves{}; ///< those that are named; other slaves of the bus are not looked at
+    std::size_t line{};                ///< where the file declares it
 
+    /// The slave of that name, or null.
+    [[nodiscard]] const slave_entry* find(std::string_view name) const noexcept {
+        const auto found = std::ranges::find(slaves, name, &slave_entry::name);
+        return found == slaves.end() ? nullptr : &*found;
+    }
     /// Whether both use the same interface of the same host.
     [[nodiscard]] bool same_wire(const ethercat_entry& other) const noexcept {
         return interface_name == other.interface_name && udp_host == other.udp_host && udp_port == other.udp_port;

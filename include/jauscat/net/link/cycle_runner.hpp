@@ -140,7 +140,8 @@ template <class Link> class cycle_runner {
     // A link that refuses the frame loses it, as a wire does.
     void send_clocks() {
         if (clocks_ == nullptr) return;
-        const auto size = clocks_->next_frame(frame_, now());
+        const auto at = now();
+        const auto size = clocks_->next_frame(frame_, at, at - timer_.due());
         if (size != 0) static_cast<void>(send(std::span{frame_}.first(size)));
     }
     void take(std::span<const std::byte> frame) {

@@ -78,16 +78,21 @@ template <class Link> class ring_runner {
                            });
     }
     // Bounded, so that a flood of frames leaves time for messages.
-    void receive() {
+    void take_frames() {
         for (unsigned i = 0; i != max_frames && runs_; ++i) {
             const auto size = link_.receive(frame_, duration{});
             if (size == 0) break;
             heard_ = now();
             ring_.on_frame(std::span{frame_}.first(size), heard_, out_);
         }
+    }
+    void receive() {
+        take_frames();
+        ring_.on_time(now(), out_);
         end_turn();
     }
     void on_time() {
+        take_frames(); // a cycle that is due has none of them yet
         // A link reports a problem of its interface only to a caller that waits.
         if (now() - heard_ > silence) {
             heard_ = now();

@@ -177,10 +177,10 @@ class config_reader {
     }
 
     void add_component(system_entry& entry, pugi::xml_node node, std::uint8_t of_node) {
-        std::array values{config_value{"id"}, config_value{"instance"}, config_value{"name"},
-                          config_value{"authority"}};
+        std::array values{config_value{"id"}, config_value{"instance"}, config_value{"name"}, config_value{"authority"},
+                          config_value{"slaves"}};
         source_.collect(node, values);
-        const auto& [id, instance, name, authority] = values;
+        const auto& [id, instance, name, authority, slaves] = values;
         const auto line = source_.line_of(node);
         source_.need(node, {id});
         component_entry made{.id = {.instance = instance.given ? id_of(instance, "an instance's ID") : std::uint8_t{1},
@@ -190,6 +190,7 @@ class config_reader {
                              .name = std::string{name.text},
                              .line = line};
         made.authority = config_number_or<std::uint8_t>(source_, authority, 0, 0, 255, "an authority code");
+        made.slaves = slaves_of(entry, slaves);
         if (entry.jausip.subsystem == 0)
             source_.fail(config_errc::inconsistent, node,
                          "a <system> with components needs a jausip that names its subsystem, such as 1.0.0.0");
@@ -203,6 +204,25 @@ class config_reader {
                          "the component " + to_jausip(made.id) + " is taken by the <component> in line " +
                              std::to_string(taken->second) + "; give each its own id or instance");
         entry.components.push_back(std::move(made));
+    }
+
+    // Names of slaves of the system, separated by blanks.
+    std::vector<std::string> slaves_of(const system_entry& entry, const config_value& value) const {
+        std::vector<std::string> made;
+        std::istringstream names{std::string{value.text}};
+        for (std::string name; names >> name;) {
+            if (!entry.ethercat || entry.ethercat->find(name) == nullptr)
+                source_.fail(config_errc::inconsistent, value,
+                             "there is no <slave> " + quoted(std::string_view{name}) +
+                                 " in the <ethercat> of this <system>");
+            if (std::ranges::find(made, name) != made.end())
+                source_.fail(config_errc::duplicate, value,
+                             "the slave " + quoted(std::string_view{name}) + " is given twice; keep one");
+            made.push_back(name);
+        }
+        if (value.given && made.empty())
+            source_.fail(config_errc::missing, value, "slaves names no <slave>; name one, or remove it");
+        return made;
     }
 
     const config_source& source_;

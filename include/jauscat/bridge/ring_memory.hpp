@@ -1,0 +1,67 @@
+// What a ring keeps in memory of the user.
+#pragma once
+#include <jauscat/base/time.hpp>
+#include <jauscat/bridge/message_lane.hpp>
+#include <jauscat/bridge/slave_front.hpp>
+#include <jauscat/ethercat/master/process_data.hpp>
+#include <jauscat/ethercat/master/slave_record.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace jauscat::bridging {
+
+/// A slave of a ring; the ring's own.
+struct ring_place {
+    enum class phase : std::uint8_t {
+        absent,     // next: bring_up
+        pre_op,     // cyclic: next is configure
+        configured, // next: SAFE-OP
+        safe_op,    // next: OP; its process data are exchanged from here on
+        in_state,   // in which it is to work; next: whether it is still at its place
+        settling,   // in OP; until its inputs are there
+        up,
+    };
+
+    slave_front* front{};
+    phase at{};
+    ethercat::master_error bring_up{};
+    time_point next_try = time_point::min();
+    time_point next_keep_alive{};
+    duration silence{}; // cycles that did not find it in a state in which it can be commanded, in a row
+    time_point settling_until{};
+    bool takes_keep_alive{true};
+    bool has_reply{};
+    std::size_t start_up_object{}; // the next one in PRE-OP
+    enum class start_up_step : std::uint8_t { read, write, verify } start_up{};
+    std::span<std::byte> outputs{}; // in data_, if it is exchanged
+    std::span<const std::byte> inputs{};
+    const ethercat::slave_status* status{};
+};
+
+/// What a ring keeps in memory of the user, for as many slaves as each span has elements.
+struct ring_memory {
+    std::span<ring_place> places{};
+    std::span<ethercat::slave_record> records{};
+    std::span<ethercat::slave_record> exchanged{}; ///< those in the process data
+    std::span<ethercat::process_slot> slots{};
+    std::span<std::byte> image{};    ///< all outputs and inputs, up to 64 KiB
+    std::span<message_lane> lanes{}; ///< 1 at least: so many slaves get messages by mailbox at the same time
+};
+
+/// Memory for up to `Slaves` slaves and `Bytes` of process data, and `Lanes` messages by mailbox at the same time.
+template <std::size_t Slaves, std::size_t Bytes, std::size_t Lanes = std::min<std::size_t>(Slaves, 16)>
+struct ring_memory_for {
+    std::array<ring_place, Slaves> places{};
+    std::array<ethercat::slave_record, Slaves> records{}, exchanged{};
+    std::array<ethercat::process_slot, Slaves> slots{};
+    std::array<std::byte, Bytes> image{};
+    std::array<message_lane, Lanes> lanes{};
+
+    [[nodiscard]] ring_memory spans() noexcept { return {places, records, exchanged, slots, image, lanes}; }
+};
+
+} // namespace jauscat::bridging
