@@ -446,7 +446,7 @@ TEST_CASE("operations end with the bus, by cancel and by stop") {
     CHECK_FALSE(std::get<0>(b.read<std::uint32_t>(drive, 0x2000, 0)));
 
     begin();
-    b.context.run_for(1ms); // the first is under way
+    REQUIRE(support::until(b.context, [&] { return errors.size() == 1; })); // the next is under way
     b.bus->cancel();
     REQUIRE(support::until(b.context, [&] { return errors.size() == 5; }));
     CHECK(errors.back() == asio::error::operation_aborted);
