@@ -439,6 +439,7 @@ class ring {
     }
     void ready(place& at, time_point now) {
         at.at = phase::up;
+        at.up_since = now;
         at.silence = {};
         if (!at.front->options().cyclic) rebuild_process_data(now);
         at.front->set_up(true);
@@ -706,7 +707,7 @@ class ring {
         }
         data_.set_slaves(records_.first(count), {.watch_slaves = true, .logical_base = logical_base_});
         has_process_data_ = data_.image().size != 0;
-        cycle_begun_.reset(); // its frames are forgotten
+        if (exchanged_ == 0) cycle_begun_.reset();
         if (exchanged_ == 0 || next_cycle_ > saturating_add(now, interval())) next_cycle_ = now;
         exchanged_ = count;
         for (place& each : places()) {
@@ -759,15 +760,15 @@ class ring {
                 lose(each, loss::no_answer, {.code = ethercat::master_errc::no_reply}, now, out);
         }
     }
-    // Silence is counted in cycles, each at most as long as it is to be: the time in which this program did not run is
-    // none of the slave's.
     [[nodiscard]] bool is_cycle_due(time_point now) const noexcept { return cycles() && now >= next_cycle_; }
+    // Silence is counted in cycles, each at most as long as it is to be: the time in which this program did not run is
+    // none of the slave's. A cycle whose frames were forgotten, because another slave came or went, counts as well.
     void end_cycle(time_point now) {
         if (std::exchange(is_cycle_ended_, true)) return;
         if (!cycle_begun_) return;
         const auto lasted = std::min(now - *cycle_begun_, interval());
         for (place& each : places()) {
-            if (each.at != phase::up || each.status == nullptr) continue;
+            if (each.at != phase::up || each.status == nullptr || each.up_since > *cycle_begun_) continue;
             const auto last = last_working(each, *each.status);
             each.silence = last && *last >= *cycle_begun_ ? duration{} : each.silence + lasted;
         }

@@ -31,6 +31,7 @@ struct ring_place {
     ethercat::master_error bring_up{};
     time_point next_try = time_point::min();
     time_point next_keep_alive{};
+    time_point up_since{};
     duration silence{}; // cycles that did not find it in a state in which it can be commanded, in a row
     time_point settling_until{};
     bool takes_keep_alive{true};
