@@ -561,6 +561,42 @@ TEST_CASE("the end of the program waits for an absent slave to return") {
     CHECK(r.motor().effort == 0);
 }
 
+TEST_CASE("a reply that waited when the states were read is collected once") {
+    rig r{2};
+    r.run_until_ready();
+    r.run(200ms);
+    unsigned collected = 0;
+    r.on_way_back = [&](std::span<std::byte> back) {
+        ethercat::mutable_frame_view view;
+        REQUIRE(view.parse(back));
+        for (auto each : view) {
+            if (each.header.cmd == ethercat::command::fprd && each.header.ado == 0x1600) ++collected;
+            if (each.header.adp != 2 || each.header.ado != ethercat::sync_manager_handshake_of(1).address) continue;
+            each.data[0] |= std::byte{0x08}; // full
+        }
+    };
+    r.run(r.options.check_interval);
+    CHECK(collected <= 4); // and a keep-alive of each
+}
+
+TEST_CASE("a slave by mailbox operates only once its state was read") {
+    rig r;
+    r.on_way_back = [](std::span<std::byte> back) {
+        ethercat::mutable_frame_view view;
+        REQUIRE(view.parse(back));
+        if ((*view.begin()).header.cmd != ethercat::command::nop) return; // not a look at the states
+        for (auto each : view)
+            if (each.header.ado == ethercat::esc_registers::al_status.address) each.data[0] &= std::byte{0xF0};
+    };
+    r.run(5s);
+    CHECK(r.watcher.up == 0);
+    CHECK(r.watcher.lost != 0);
+    CHECK(r.watcher.last_loss == bridging::loss::left_state);
+    CHECK(r.unit().state() != status::ready);
+    r.on_way_back = {};
+    r.run_until_ready();
+}
+
 TEST_CASE("slaves with station addresses of an earlier master are brought up") {
     rig r{2};
     for (auto& each : r.actuators) { // both have the one that the second is to get

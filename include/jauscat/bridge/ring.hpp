@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace jauscat::bridging {
 
@@ -424,9 +425,7 @@ class ring {
             at.bring_up = error;
             return lose(at, loss::no_station, error, now, out);
         }
-        if (at.front->options().cyclic) return set_up(at, {}, phase::settling, now, out);
-        at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), true);
-        ready(at, now);
+        set_up(at, {}, phase::settling, now, out);
     }
     void set_up(place& at, const ethercat::master_error& error, phase next, time_point now, jaus::message_sink out) {
         if (error != ethercat::master_error{}) {
@@ -434,14 +433,16 @@ class ring {
             return lose(at, loss::no_process_data, error, now, out);
         }
         at.at = next;
-        if (next == phase::safe_op) rebuild_process_data(now);
-        if (next == phase::settling) at.settling_until = saturating_add(now, options_.master.state_timeout);
+        const bool is_cyclic = at.front->options().cyclic;
+        if (next == (is_cyclic ? phase::safe_op : phase::settling)) rebuild_process_data(now);
+        if (next != phase::settling) return;
+        at.settling_until = saturating_add(now, options_.master.state_timeout);
+        if (!is_cyclic && !has_process_data_) next_cycle_ = now; // its state is read at once
     }
     void ready(place& at, time_point now) {
         at.at = phase::up;
         at.up_since = now;
         at.silence = {};
-        if (!at.front->options().cyclic) rebuild_process_data(now);
         at.front->set_up(true);
         for (component* unit : at.front->components())
             if (unit->is_up()) unit->on_slave_up();
@@ -696,7 +697,7 @@ class ring {
     // ---- Cycles: process data, and the state of every slave.
 
     [[nodiscard]] static bool is_exchanged(const place& at) noexcept {
-        return at.at >= (at.front->options().cyclic ? phase::safe_op : phase::up);
+        return at.at >= (at.front->options().cyclic ? phase::safe_op : phase::settling);
     }
     // Rebuilds the process image from the present slaves; keeps their outputs.
     void rebuild_process_data(time_point now) {
@@ -740,14 +741,18 @@ class ring {
             const auto& seen = *each.status;
             using enum ethercat::slave_condition;
             if (each.at == phase::settling) {
-                if (seen.condition == running)
+                const bool is_cyclic = each.front->options().cyclic;
+                const bool is_there = seen.condition != silent && seen.condition != absent &&
+                                      seen.condition != duplicate && works_in(each, seen.al.state);
+                if (is_cyclic ? seen.condition == running : is_there)
                     start_process_data(each, now, out);
                 else if (now >= each.settling_until)
-                    lose(each, loss::no_process_data, {.code = ethercat::master_errc::working_counter}, now, out);
+                    give_up_settling(each, now, out);
                 continue;
             }
             if (each.at != phase::up) continue;
-            each.has_reply = seen.reply_waiting;
+            if (std::exchange(each.looked_at, seen.last_frame) != seen.last_frame)
+                each.has_reply = seen.reply_waiting && !is_carried(each); // which takes it itself
             show_data(each);
             const ethercat::master_error state{.code = ethercat::master_errc::al_error, .al_status = seen.al.code};
             if (seen.condition == absent)
@@ -773,6 +778,16 @@ class ring {
             each.silence = last && *last >= *cycle_begun_ ? duration{} : each.silence + lasted;
         }
     }
+    void give_up_settling(place& at, time_point now, jaus::message_sink out) {
+        const auto& seen = *at.status;
+        const bool is_cyclic = at.front->options().cyclic;
+        if (!is_cyclic && seen.condition != ethercat::slave_condition::silent && !works_in(at, seen.al.state)) {
+            at.bring_up = {.code = ethercat::master_errc::al_error, .al_status = seen.al.code};
+            return lose(at, loss::left_state, at.bring_up, now, out);
+        }
+        at.bring_up = {.code = ethercat::master_errc::working_counter};
+        lose(at, is_cyclic ? loss::no_process_data : loss::no_station, at.bring_up, now, out);
+    }
     // A slave by mailbox need not be in OP.
     [[nodiscard]] static bool works_in(const place& at, ethercat::al_state state) noexcept {
         using enum ethercat::al_state;
@@ -785,7 +800,7 @@ class ring {
     }
     // The last slave of a component starts its part.
     void start_process_data(place& at, time_point now, jaus::message_sink out) {
-        at.front->set_data({at.outputs, at.inputs, *at.status});
+        if (at.front->options().cyclic) at.front->set_data({at.outputs, at.inputs, *at.status});
         for (component* unit : at.front->components()) {
             auto* const process = unit->process();
             if (process == nullptr || std::ranges::any_of(process->fronts(), [&](const slave_front* each) {

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace jauscat::bridging {
@@ -22,7 +23,7 @@ struct ring_place {
         configured, // next: SAFE-OP
         safe_op,    // next: OP; its process data are exchanged from here on
         in_state,   // in which it is to work; next: whether it is still at its place
-        settling,   // in OP; until its inputs are there
+        settling,   // cyclic: in OP, until its inputs are there; else until its state has been read
         up,
     };
 
@@ -36,7 +37,8 @@ struct ring_place {
     time_point settling_until{};
     bool takes_keep_alive{true};
     bool has_reply{};
-    std::size_t start_up_object{}; // the next one in PRE-OP
+    std::optional<time_point> looked_at{}; // the frame that said so
+    std::size_t start_up_object{};         // the next one in PRE-OP
     enum class start_up_step : std::uint8_t { read, write, verify } start_up{};
     std::span<std::byte> outputs{}; // in data_, if it is exchanged
     std::span<const std::byte> inputs{};
