@@ -2,7 +2,7 @@
 
 namespace simulation {
 
-void arm_unit::power_on() {
+void arm_unit::power_on(time) {
     arm_.emplace([](auto&&...) {}, [this] { tell_efforts(); });
     application_.emplace(subsystem, *arm_);
     process_data_.emplace(*arm_);

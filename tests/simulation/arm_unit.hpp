@@ -30,10 +30,10 @@ class arm_unit final : public device {
     arm_unit(std::uint32_t serial, std::function<void(command_number)> moved) : moved_{std::move(moved)} {
         description_.serial = serial;
         slave_.emplace(description_, dictionary_, ethercat::coe_options{.transfer_memory = memory_});
-        power_on();
+        power_on({});
     }
 
-    void power_on() override;
+    void power_on(time now) override;
     void on_time(time now) override;
 
     [[nodiscard]] ethercat::slave& slave() noexcept override { return *slave_; }

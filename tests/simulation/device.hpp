@@ -22,7 +22,7 @@ class device {
     [[nodiscard]] virtual ethercat::slave& slave() noexcept = 0;
     [[nodiscard]] virtual const ethercat::slave& slave() const noexcept = 0;
     /// As after power-on: what it did and knew is gone.
-    virtual void power_on() = 0;
+    virtual void power_on(time now) = 0;
     /// An application works whether frames pass or not.
     virtual void on_time(time now) = 0;
     /// A frame passes. `frozen`: the controller alone works, the application does not.

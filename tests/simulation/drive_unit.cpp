@@ -21,13 +21,12 @@ template <std::size_t Axes> class drive_of final : public drive_unit {
     ethercat::slave& slave() noexcept override { return *slave_; }
     const ethercat::slave& slave() const noexcept override { return *slave_; }
     // Without its supply the brake holds the motor.
-    void power_on() override {
+    void power_on(time now) override {
         drive_ = {};
         slave_->power_on();
-        look(last_);
+        look(now); // which on_time may not have said for long
     }
     void on_time(time now) override {
-        last_ = now;
         slave_->work();
         slave_->on_time(jauscat::time_point{now});
         drive_.work(*slave_, jauscat::time_point{now});
@@ -46,7 +45,6 @@ template <std::size_t Axes> class drive_of final : public drive_unit {
     cia402::emulated_drive<Axes> drive_{};
     ethercat::standard_objects dictionary_{description_, drive_};
     std::optional<ethercat::slave> slave_{};
-    time last_{};
 };
 
 } // namespace

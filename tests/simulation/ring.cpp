@@ -232,7 +232,7 @@ void ring::suffer(fault kind) {
         if (at.away) return;
         at.away = true;
         tell(i, ring_deed::restarts, ms);
-        at.unit->power_on();
+        at.unit->power_on(world_.now());
         at.restarted_at = world_.now();
         mend_later();
         break;
@@ -292,7 +292,7 @@ void ring::swap(std::size_t i, std::size_t other) {
     std::swap(order_[i], order_[other]);
     for (const std::size_t each : {i, other}) {
         if (!has_own_supply) {
-            places_[each].unit->power_on();
+            places_[each].unit->power_on(world_.now());
             places_[each].restarted_at = world_.now();
         }
         places_[each].disturbed_at = world_.now();
@@ -325,7 +325,7 @@ void ring::mend(fault kind, std::size_t i) {
         std::swap(order_[first], order_[second]);
         tell(first, ring_deed::swapped, places_[second].number);
         for (const std::size_t each : {first, second}) {
-            places_[each].unit->power_on();
+            places_[each].unit->power_on(world_.now());
             places_[each].restarted_at = world_.now();
         }
         for (auto& each : places_) {
