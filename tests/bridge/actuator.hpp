@@ -153,8 +153,9 @@ class emulated_actuator {
                                        jaus::set_travel_speed, jaus::report_heartbeat_pulse>::description};
 
     /// Its alias is 100 more than the station address.
-    emulated_actuator(std::uint8_t subsystem, std::uint16_t station)
-        : behind{subsystem, station}, alias_{static_cast<std::uint16_t>(100 + station)} {}
+    emulated_actuator(std::uint8_t subsystem, std::uint16_t station,
+                      ethercat::clock_width clock = ethercat::clock_width::no_clock)
+        : behind{subsystem, station}, alias_{static_cast<std::uint16_t>(100 + station)}, clock_{clock} {}
 
     /// A frame passes.
     void pass(std::span<std::byte> frame, jauscat::time_point now) {
@@ -181,6 +182,7 @@ class emulated_actuator {
     static constexpr std::span<const ethercat::pdo_entry> inputs{
         ethercat::image_entries<actuator::image, ethercat::image_objects::inputs>};
     std::uint16_t alias_;
+    ethercat::clock_width clock_;
     ethercat::slave_description description_{.vendor = 1,
                                              .product = 2,
                                              .station_alias = alias_,
@@ -188,7 +190,9 @@ class emulated_actuator {
                                              .mailbox_in_size = 256,
                                              .name = "actuator",
                                              .outputs = outputs,
-                                             .inputs = inputs};
+                                             .inputs = inputs,
+                                             .clock = clock_,
+                                             .needs_sync = clock_ != ethercat::clock_width::no_clock};
     bridging::listed_objects list_{objects, behind, bridging::size_rule::up_to_largest};
     ethercat::standard_objects dictionary_{description_, list_};
     std::array<std::byte, 4096> memory_{};

@@ -4,6 +4,7 @@
 #include "support/catch.hpp"
 #include <jauscat/bridge/ring.hpp>
 #include <jauscat/bridge/wrench_effort_part.hpp>
+#include <jauscat/ethercat/slave/slave_tree.hpp>
 
 #include <deque>
 #include <functional>
@@ -25,6 +26,7 @@ struct notes {
     std::optional<bridging::loss> last_loss{};
     std::vector<bridging::refusal> refusals{};
     std::vector<std::uint16_t> emergencies{};
+    std::vector<ethercat::clock_agreement> agreements{};
 
     void slave_up(const bridging::slave_front&, const ethercat::slave_record&, bool ready) { up += ready; }
     void bring_up_failed(const bridging::slave_front&, const ethercat::master_error&) { ++failed_bring_ups; }
@@ -34,6 +36,9 @@ struct notes {
     }
     void slave_emergency(const bridging::slave_front&, const ethercat::coe_emergency& what) {
         emergencies.push_back(what.error_code);
+    }
+    void clocks_agree(const bridging::slave_front&, ethercat::clock_agreement how, std::uint32_t) {
+        agreements.push_back(how);
     }
     void settled(const bridging::component&) { ++settled_debts; }
     void stop_refused(const bridging::component&, bridging::stop_order, const bridging::refusal_reason&, unsigned) {
@@ -49,6 +54,7 @@ struct notes {
                 .bring_up_failed = jaus::bound<&notes::bring_up_failed>(*this),
                 .slave_lost = jaus::bound<&notes::slave_lost>(*this),
                 .slave_emergency = jaus::bound<&notes::slave_emergency>(*this),
+                .clocks_agree = jaus::bound<&notes::clocks_agree>(*this),
                 .stop_refused = jaus::bound<&notes::stop_refused>(*this),
                 .settled = jaus::bound<&notes::settled>(*this),
                 .faulted = jaus::bound<&notes::faulted>(*this),
@@ -64,17 +70,22 @@ class rig {
     static constexpr jaus::address stranger{.instance = 1, .component = 32, .node = 1, .subsystem = 3};
 
     /// With `groups` each part has a unit in front of its share of the slaves: 2.2.33.1, 2.3.33.1, ...
-    explicit rig(std::size_t slaves = 1, bool cyclic = false, const std::vector<bridging::process_part*>& groups = {})
+    /// With `has_clocks` they are to have SYNC signals; `without_clock` cannot.
+    explicit rig(std::size_t slaves = 1, bool cyclic = false, const std::vector<bridging::process_part*>& groups = {},
+                 bool has_clocks = false, std::size_t without_clock = 1000)
         : options{cyclic ? bridging::at_rest_within(bridging::at_rest_in_cycles, 10ms)
                          : bridging::at_rest_within(bridging::at_rest_by_mailbox)} {
         for (std::size_t i = 0; i != slaves; ++i) {
             const auto station = static_cast<std::uint16_t>(2 + i);
-            actuators.emplace_back(std::uint8_t{2}, station);
+            actuators.emplace_back(std::uint8_t{2}, station,
+                                   has_clocks && i != without_clock ? ethercat::clock_width::bits_64
+                                                                    : ethercat::clock_width::no_clock);
             memories_.emplace_back();
             exchanges.emplace_back(bridging::slave_identity{.subsystem = 2, .station = station});
             fronts.emplace_back(bridging::slave_options{.position = static_cast<std::uint16_t>(i),
                                                         .identity = {.subsystem = 2, .station = station},
-                                                        .cyclic = cyclic},
+                                                        .cyclic = cyclic,
+                                                        .sync = has_clocks ? sync0 : ethercat::sync_settings{}},
                                 exchanges.back(), options, memories_.back(), watcher.observer());
             REQUIRE(bus.add(fronts.back()));
             if (!groups.empty()) continue;
@@ -91,6 +102,7 @@ class rig {
         }
     }
 
+    static constexpr ethercat::sync_settings sync0{.assign_activate = 0x0300};
     static jaus::address unit_address(std::size_t i) {
         return {.instance = 1, .component = 33, .node = static_cast<std::uint8_t>(2 + i), .subsystem = 2};
     }
@@ -191,14 +203,15 @@ class rig {
     std::deque<bridging::slave_front> fronts{};
     std::deque<bridging::wrench_effort_part> process_parts{};
     std::deque<bridging::component> units{};
-    bridging::ring_for<256, 16384> bus{options};
+    bridging::ring_for<256, 16384, 16, 64> bus{options};
     std::vector<std::vector<std::byte>> messages{};
     jaus::component_outcome last_outcome{};
     jauscat::time_point now{1s};
     std::chrono::nanoseconds round_trip{200us};
     bool cable_is_out{};
-    std::size_t dead_from{1000}; ///< slaves from here on do not get frames
-    unsigned frames_to_lose{};   ///< the next frames
+    std::optional<ethercat::slave_tree> wires{}; ///< that frames pass, if they are not next to one another
+    std::size_t dead_from{1000};                 ///< slaves from here on do not get frames
+    unsigned frames_to_lose{};                   ///< the next frames
     std::function<void(std::span<std::byte>)> on_way_back{};
     std::uint64_t frames{};
 
@@ -234,7 +247,10 @@ class rig {
             --frames_to_lose;
             return;
         }
-        for (std::size_t i = 0; i != actuators.size() && i < dead_from; ++i) actuators[i].pass(frame, now);
+        if (wires)
+            wires->pass(frame, now);
+        else
+            for (std::size_t i = 0; i != actuators.size() && i < dead_from; ++i) actuators[i].pass(frame, now);
         if (on_way_back) on_way_back(frame);
         flights_.push_back({{frame.begin(), frame.end()}, now + round_trip});
     }

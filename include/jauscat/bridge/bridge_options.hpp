@@ -3,6 +3,8 @@
 #include <jauscat/base/time.hpp>
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
+#include <jauscat/ethercat/master/clock_jobs.hpp>
+#include <jauscat/ethercat/master/clock_record.hpp>
 #include <jauscat/ethercat/master/sdo_options.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
 
@@ -19,6 +21,9 @@ struct slave_options {
     bool cyclic{};                       ///< runs in OP: what fits its process data goes by them
     ethercat::identity_check expected{}; ///< another slave is not brought up
     std::uint8_t node{};                 ///< JAUS node of its components; 0: the station address
+    /// SYNC signals of its distributed clock; none: it runs freely. Only of a cyclic slave, in a ring with memory for
+    /// clocks. A SYNC0 cycle of 0 is the period.
+    ethercat::sync_settings sync{};
     /// In PRE-OP already, by another job of the master: it is not brought up, also not after a loss.
     bool is_taken_over{};
 };
@@ -29,6 +34,12 @@ struct bridge_options {
     ethercat::download_options download{};
     /// Cycle time of the process data. 0: no cycles.
     duration period{};
+    /// The system time of distributed clocks when the time here is 0, in ns since 2000-01-01.
+    std::uint64_t system_time{};
+    /// How distributed clocks are set up. Once the cycles bring the reference time, they do in place of drift frames.
+    ethercat::clock_options clocks{};
+    /// For how long a slave's clock may take to follow the reference clock, and the cycles to do so.
+    duration clock_timeout{std::chrono::seconds{20}};
     /// A slave in OP without new outputs for so long stops by itself. Written to every cyclic slave, and read back.
     duration watchdog{};
     /// A slave is lost if its state has not been read in the cycles of this time; a cyclic slave also if it has not

@@ -2,6 +2,7 @@
 #pragma once
 #include <jauscat/bridge/pending_stops.hpp>
 #include <jauscat/bridge/process_part.hpp>
+#include <jauscat/ethercat/master/clock_cycle.hpp>
 #include <jauscat/ethercat/master/master_errc.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
 #include <jauscat/jaus/component/component_control.hpp>
@@ -74,6 +75,9 @@ struct observer {
     /// `why` has details of the master's error.
     jaus::hook<void(const slave_front& slave, loss what, const ethercat::master_error& why)> slave_lost{};
     jaus::hook<void(const slave_front& slave, const ethercat::coe_emergency& emergency)> slave_emergency{};
+    /// The distributed clocks of the ring agree better or worse than before, by an upper bound of their differences in
+    /// ns. For each slave with SYNC signals.
+    jaus::hook<void(const slave_front& slave, ethercat::clock_agreement how, std::uint32_t difference)> clocks_agree{};
     /// The slave does not take Report Heartbeat Pulse: nothing stops it when this program ends without a word.
     jaus::hook<void(const slave_front& slave, const refusal_reason& why)> no_keep_alive{};
 

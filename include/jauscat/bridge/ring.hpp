@@ -4,6 +4,7 @@
 #include <jauscat/base/time.hpp>
 #include <jauscat/bridge/component.hpp>
 #include <jauscat/bridge/message_lane.hpp>
+#include <jauscat/bridge/ring_clocks.hpp>
 #include <jauscat/bridge/ring_memory.hpp>
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/master/process_data.hpp>
@@ -13,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -47,7 +49,8 @@ class ring {
           data_{memory.slots, memory.image.first(std::min(memory.image.size(), max_image))},
           memory_{memory.places},
           lanes_{memory.lanes},
-          records_{memory.exchanged} {}
+          records_{memory.exchanged},
+          clocks_{memory.clock_records} {}
     ring(const ring&) = delete;
     ring& operator=(const ring&) = delete;
 
@@ -75,6 +78,7 @@ class ring {
         std::move(found + 1, places().end(), found);
         --place_count_;
         last_served_ = 0;
+        if (std::ranges::none_of(places(), has_sync)) clocks_.stop();
         rebuild_process_data(now);
     }
     /// The options have changed.
@@ -100,7 +104,7 @@ class ring {
     /// Takes a frame that arrived. False if it was not waited for: it may be another master's.
     bool on_frame(bytes frame, time_point now, jaus::message_sink out) {
         const bool waited = data_.waits();
-        const bool was_taken = data_.on_frame(frame) || take(frame, now);
+        const bool was_taken = clocks_.on_frame(frame) || data_.on_frame(frame) || take(frame, now);
         is_step_due_ = is_step_due_ || (waited && !data_.waits());
         turn(now, out);
         return was_taken;
@@ -117,12 +121,14 @@ class ring {
             end_cycle(now);
             is_cycle_ended_ = false;
             cycle_begun_ = now;
-            // Missed cycles are skipped.
-            next_cycle_ = std::max(next_cycle_ + interval(), now + interval() / 2);
+            late_ = now - next_cycle_;
+            skip_to_next_cycle(now);
+            clocks_.begin_cycle();
             is_step_due_ = is_step_due_ || data_.waits(); // a frame of the last cycle is lost
             data_.begin_cycle();
         }
         sender_ = nullptr;
+        if (const auto size = clocks_.next_frame(frame, now, late_)) return size;
         if (const auto size = data_.next_frame(frame, now)) return size;
         if (cycles() && next_cycle_ - now <= reserve()) return 0; // the process data must not wait behind it
         const auto send = [&](ethercat::master& from) {
@@ -198,6 +204,8 @@ class ring {
         return sum;
     }
     [[nodiscard]] const ethercat::process_data& process_data() const noexcept { return data_; }
+    /// The distributed clocks' part of the cycles; none before a slave with SYNC signals has been set up.
+    [[nodiscard]] const std::optional<ethercat::clock_cycle>& clocks() const noexcept { return clocks_.cycle(); }
     /// Why the last attempt to bring the slave up has failed; ok if it has not.
     [[nodiscard]] const ethercat::master_error& bring_up_error(const slave_front& front) const noexcept {
         const auto found = std::ranges::find(places(), &front, &place::front);
@@ -206,22 +214,37 @@ class ring {
     }
 
   private:
+    static constexpr int looks_apart = 10;      // cycles, at a clock
     static constexpr unsigned window_bits = 16; // holds every image
     static constexpr std::size_t max_image = std::size_t{1} << window_bits;
 
     using place = ring_place;
     using phase = place::phase;
     // Purpose of the master's current job.
-    enum class work : std::uint8_t { none, scan, bring_up, start_up, configure, safe_op, op, place, shared };
+    enum class work : std::uint8_t {
+        none,
+        scan,
+        bring_up,
+        start_up,
+        configure,
+        clocks,
+        clock_look,
+        sync,
+        safe_op,
+        op,
+        place,
+        shared
+    };
     using purpose = message_lane::purpose;
 
     [[nodiscard]] std::span<place> places() noexcept { return memory_.first(place_count_); }
     [[nodiscard]] std::span<const place> places() const noexcept { return memory_.first(place_count_); }
-    [[nodiscard]] bool cycles() const noexcept { return exchanged_ != 0; }
+    [[nodiscard]] bool cycles() const noexcept { return exchanged_ != 0 || clocks_.runs(); }
+    [[nodiscard]] bool is_periodic() const noexcept { return has_process_data_ || clocks_.runs(); }
     [[nodiscard]] duration interval() const noexcept {
-        return has_process_data_ ? options_.period : options_.check_interval;
+        return is_periodic() ? options_.period : options_.check_interval;
     }
-    [[nodiscard]] duration reserve() const noexcept { return has_process_data_ ? options_.period / 4 : duration{}; }
+    [[nodiscard]] duration reserve() const noexcept { return is_periodic() ? options_.period / 4 : duration{}; }
 
     // A slave that was not reached when all were cleared may still run with the place in the process image that an
     // earlier life of this program gave it: each life has an image elsewhere, in one of 2^16 windows.
@@ -243,6 +266,7 @@ class ring {
         master_.on_time(now);
         for (message_lane& each : lanes_) each.master().on_time(now);
         watch_cycles(now, out);
+        watch_clocks(now, out);
         refuse_expired(now, out);
         use_process_data(now, out);
         stop_what_hinders(now);
@@ -282,6 +306,7 @@ class ring {
     }
     void end_shared() {
         if (master_.result<ethercat::scan>().value_or(0) != 0) is_cleared_ = true;
+        clocks_.leave_out_none();
         shared_.done(master_);
     }
 
@@ -296,9 +321,15 @@ class ring {
             return begin_job(at, work::configure,
                              ethercat::configure{at.front->station(), at.front->timing().watchdog});
         case phase::configured:
+            if (has_sync(at) && !at.clock_is_set) return begin_clocks(at, now);
+            if (has_sync(at)) return follow_clock(at, now), true;
+            [[fallthrough]];
+        case phase::has_sync:
             return begin_job(at, work::safe_op,
                              ethercat::change_state{at.front->station(), ethercat::al_state::safe_op});
+        case phase::has_clock: return is_in_time(at) ? begin_sync(at, now) : begin_clock_look(at, now);
         case phase::safe_op:
+            if (has_sync(at) && !is_synchronized(at)) return false;
             return begin_job(at, work::op, ethercat::change_state{at.front->station(), ethercat::al_state::op});
         case phase::in_state: return begin_place_check(at);
         case phase::settling:
@@ -312,6 +343,157 @@ class ring {
         return begin_job(at, work::place,
                          ethercat::exchange_datagram{ethercat::command::aprd, static_cast<std::uint16_t>(-position),
                                                      ethercat::esc_registers::station_address.address, place_value_});
+    }
+
+    // ---- Distributed clocks: of all slaves on the bus, as soon as one is to have SYNC signals.
+
+    [[nodiscard]] static bool has_sync(const place& at) noexcept {
+        return at.front->options().cyclic && at.front->options().sync.assign_activate != 0;
+    }
+    [[nodiscard]] std::uint64_t system_time(time_point now) const noexcept {
+        return options_.system_time + static_cast<std::uint64_t>(now.time_since_epoch().count());
+    }
+    // The clocks that are in use go on, and so does their time.
+    bool begin_clocks(place& at, time_point now) {
+        const auto place_of = [this](const ethercat::slave_record& slave) {
+            return std::ranges::find(places(), slave.station, [](const place& each) { return each.front->station(); });
+        };
+        clocks_.choose(
+            master_.slaves(),
+            [&](const auto& slave) {
+                const auto found = place_of(slave);
+                return found == places().end() || found->at != phase::absent;
+            },
+            [&](const auto& slave) {
+                const auto found = place_of(slave);
+                return found != places().end() && found->clock_is_set && has_sync(*found);
+            });
+        // Looks at each clock decide, while the cycles bring the reference time.
+        auto how = options_.clocks;
+        how.limit = std::numeric_limits<std::uint32_t>::max();
+        if (clocks_.runs()) how.drift_frames = 0;
+        return begin_job(
+            at, work::clocks,
+            ethercat::set_up_clocks{.slaves = clocks_.chosen(), .system_time = system_time(now), .options = how});
+    }
+    void clocks_set_up(place& at, const ethercat::master_error& error, time_point now, jaus::message_sink out) {
+        if (error != ethercat::master_error{}) {
+            if (is_of_other(at, error)) return leave_out(error, now, out);
+            return set_up(at, error, phase::configured, now, out);
+        }
+        const bool has_cycles = is_periodic();
+        clocks_.use(*master_.result<ethercat::set_up_clocks>(), system_time(now), options_.period);
+        if (!has_cycles) {
+            next_cycle_ = now;
+            cycle_begun_.reset();
+        }
+        for (place& each : places()) {
+            if (each.at == phase::absent || each.clock_is_set || !has_sync(each)) continue;
+            const auto* const clock = clocks_.find(each.front->station());
+            if (clock == nullptr) continue; // it was brought up meanwhile
+            each.clock_is_set = clock->has_clock();
+            each.good_looks = 0;
+            each.next_look = now;
+        }
+        if (!at.clock_is_set)
+            set_up(at, {.code = ethercat::master_errc::no_clock, .station = at.front->station()}, phase::configured,
+                   now, out);
+    }
+    void follow_clock(place& at, time_point now) {
+        at.at = phase::has_clock;
+        at.settling_until = saturating_add(now, options_.clock_timeout);
+    }
+    // Its speed must have been learnt, too: just set, any clock is right.
+    [[nodiscard]] static bool is_in_time(const place& at) noexcept { return at.good_looks >= 20; }
+    // A slave that was not there alone keeps the others from being set up: they are set up without it.
+    [[nodiscard]] static bool is_of_other(const place& at, const ethercat::master_error& error) noexcept {
+        using enum ethercat::master_errc;
+        const bool is_of_one = error.code == working_counter || error.code == duplicate_station;
+        return is_of_one && error.station != 0 && error.station != at.front->station();
+    }
+    void leave_out(const ethercat::master_error& error, time_point now, jaus::message_sink out) {
+        const auto found =
+            std::ranges::find(places(), error.station, [](const place& each) { return each.front->station(); });
+        if (found == places().end()) return clocks_.leave_out(error.station);
+        found->bring_up = error;
+        lose(*found, loss::no_station, error, now, out);
+    }
+    bool begin_clock_look(place& at, time_point now) {
+        if (now < at.next_look) return false;
+        return begin_job(at, work::clock_look,
+                         ethercat::exchange_datagram{ethercat::command::fprd, at.front->station(),
+                                                     ethercat::esc_registers::dc_difference.address, difference_});
+    }
+    void clock_looked_at(place& at, const ethercat::master_error& error, time_point now, jaus::message_sink out) {
+        ethercat::dc_difference is{};
+        const bool has_answer = error == ethercat::master_error{};
+        const std::uint16_t answers = has_answer ? *master_.result<ethercat::exchange_datagram>() : std::uint16_t{};
+        if (has_answer && answers != 1) {
+            at.bring_up = {.code = ethercat::master_errc::working_counter, .working_counter = answers};
+            return lose(at, loss::no_station, at.bring_up, now, out);
+        }
+        const bool is_read = has_answer && wire::decode(is, difference_);
+        at.next_look = saturating_add(now, looks_apart * options_.period);
+        at.good_looks = is_read && is.magnitude <= options_.clocks.limit ? at.good_looks + 1 : 0;
+        if (is_in_time(at) || now < at.settling_until) return;
+        set_up(at,
+               {.code = ethercat::master_errc::clock_unsettled,
+                .station = at.front->station(),
+                .nanoseconds = is.magnitude},
+               phase::has_clock, now, out);
+    }
+    // All that follow the reference clock by now start together.
+    bool begin_sync(place& at, time_point now) {
+        for (auto& clock : clocks_.records()) {
+            clock.sync = {};
+            const auto found = std::ranges::find_if(places(), [&](const place& each) {
+                return each.front->station() == clock.station && each.at == phase::has_clock && is_in_time(each);
+            });
+            if (found == places().end()) continue;
+            clock.sync = found->front->options().sync;
+            if (clock.sync.sync0_cycle == 0)
+                clock.sync.sync0_cycle = static_cast<std::uint32_t>(options_.period.count());
+        }
+        return begin_job(at, work::sync,
+                         ethercat::start_sync{.slaves = clocks_.records(), .system_time = system_time(now)});
+    }
+    void sync_started(place& at, const ethercat::master_error& error, time_point now, jaus::message_sink out) {
+        if (error != ethercat::master_error{}) return set_up(at, error, phase::has_clock, now, out);
+        for (place& each : places()) {
+            const auto* const clock = clocks_.find(each.front->station());
+            if (each.at == phase::has_clock && is_in_time(each) && clock != nullptr && clock->sync.assign_activate != 0)
+                each.at = phase::has_sync;
+        }
+    }
+    // The cycles follow the reference clock, and its SYNC signals come.
+    [[nodiscard]] bool is_synchronized(const place& at) const noexcept {
+        const auto& cycle = clocks_.cycle();
+        const auto* const clock = clocks_.find(at.front->station());
+        return cycle && cycle->control().is_locked() && clock != nullptr && cycle->reference_time() > clock->start_time;
+    }
+    // In SAFE-OP, until the cycles follow the reference clock.
+    void watch_waiting(place& at, time_point now, jaus::message_sink out) {
+        using enum ethercat::slave_condition;
+        const auto seen = at.status == nullptr ? silent : at.status->condition;
+        if (seen == absent || seen == duplicate) {
+            at.bring_up = {.code = ethercat::master_errc::wrong_station, .station = at.front->station()};
+            return lose(at, loss::no_station, at.bring_up, now, out);
+        }
+        if (now < at.settling_until) return;
+        set_up(at, {.code = ethercat::master_errc::clock_unsettled, .station = at.front->station()}, phase::safe_op,
+               now, out);
+    }
+    void watch_clocks(time_point now, jaus::message_sink out) {
+        if (!clocks_.runs()) return;
+        const auto& cycle = *clocks_.cycle();
+        for (place& each : places())
+            if (each.at == phase::safe_op && has_sync(each) && !is_synchronized(each)) watch_waiting(each, now, out);
+        // A slave whose clock is not set up yet counts in the difference as well.
+        const bool is_known = std::ranges::all_of(
+            places(), [](const place& each) { return !has_sync(each) || each.at >= phase::has_sync; });
+        if (!is_known || std::exchange(agreement_, cycle.agreement()) == cycle.agreement()) return;
+        for (const place& each : places())
+            if (has_sync(each)) each.front->watcher().clocks_agree(*each.front, cycle.agreement(), cycle.difference());
     }
 
     template <ethercat::master_job Job> bool begin_job(place& at, work what, const Job& job) {
@@ -389,6 +571,9 @@ class ring {
         case work::bring_up: return brought_up(at, result, now);
         case work::start_up: return started_up(at, result, now, out);
         case work::configure: return set_up(at, result, phase::configured, now, out);
+        case work::clocks: return clocks_set_up(at, result, now, out);
+        case work::clock_look: return clock_looked_at(at, result, now, out);
+        case work::sync: return sync_started(at, result, now, out);
         case work::safe_op: return set_up(at, result, phase::safe_op, now, out);
         case work::op: return set_up(at, result, phase::in_state, now, out);
         case work::place: return placed(at, result, now, out);
@@ -407,6 +592,7 @@ class ring {
         at.next_try = saturating_add(now, at.front->timing().bring_up_interval);
         if (error != ethercat::master_error{}) return at.front->watcher().bring_up_failed(*at.front, error);
         is_cleared_ = true;
+        clocks_.leave_out_none();
         reach_pre_op(at);
     }
     void reach_pre_op(place& at) {
@@ -435,9 +621,10 @@ class ring {
         at.at = next;
         const bool is_cyclic = at.front->options().cyclic;
         if (next == (is_cyclic ? phase::safe_op : phase::settling)) rebuild_process_data(now);
+        if (next == phase::safe_op) at.settling_until = saturating_add(now, options_.clock_timeout);
         if (next != phase::settling) return;
         at.settling_until = saturating_add(now, options_.master.state_timeout);
-        if (!is_cyclic && !has_process_data_) next_cycle_ = now; // its state is read at once
+        if (!is_cyclic && !is_periodic()) next_cycle_ = now; // its state is read at once
     }
     void ready(place& at, time_point now) {
         at.at = phase::up;
@@ -652,9 +839,13 @@ class ring {
     [[nodiscard]] std::optional<time_point> next_work_of(const place& at) const {
         switch (at.at) {
         case phase::absent: return at.front->options().is_taken_over ? std::nullopt : std::optional{at.next_try};
+        case phase::has_clock: return is_in_time(at) ? time_point::min() : at.next_look;
+        case phase::safe_op:
+            if (has_sync(at) && !is_synchronized(at)) return at.settling_until;
+            [[fallthrough]];
         case phase::pre_op:
         case phase::configured:
-        case phase::safe_op:
+        case phase::has_sync:
         case phase::in_state: return time_point::min();
         case phase::settling: return at.settling_until;
         case phase::up: break;
@@ -674,6 +865,7 @@ class ring {
         if (at.at == phase::absent) return; // its last job has ended only now
         const bool was_up = at.front->up();
         at.at = phase::absent;
+        at.clock_is_set = false;
         at.start_up_object = 0;
         at.start_up = {};
         at.next_try = was_up ? now : saturating_add(now, at.front->timing().bring_up_interval);
@@ -681,6 +873,7 @@ class ring {
         std::ranges::transform(at.front->components(), were_up.begin(), [](auto* unit) { return unit->is_up(); });
         at.front->set_up(false);
         at.front->set_data({});
+        clocks_.lost(at.front->station());
         at.front->watcher().slave_lost(*at.front, what, why);
         for (std::size_t i = 0; i != at.front->components().size(); ++i) {
             component& unit = *at.front->components()[i];
@@ -708,8 +901,8 @@ class ring {
         }
         data_.set_slaves(records_.first(count), {.watch_slaves = true, .logical_base = logical_base_});
         has_process_data_ = data_.image().size != 0;
-        if (exchanged_ == 0) cycle_begun_.reset();
-        if (exchanged_ == 0 || next_cycle_ > saturating_add(now, interval())) next_cycle_ = now;
+        if (!cycles()) cycle_begun_.reset();
+        if (!cycles() || next_cycle_ > saturating_add(now, interval())) next_cycle_ = now;
         exchanged_ = count;
         for (place& each : places()) {
             const auto* const record = is_exchanged(each) ? master_.find(each.front->station()) : nullptr;
@@ -765,11 +958,19 @@ class ring {
                 lose(each, loss::no_answer, {.code = ethercat::master_errc::no_reply}, now, out);
         }
     }
+    // Missed cycles are skipped; those that follow a reference clock keep their phase.
+    void skip_to_next_cycle(time_point now) noexcept {
+        const auto soonest = now + interval() / 2;
+        next_cycle_ += interval();
+        if (next_cycle_ >= soonest) return;
+        next_cycle_ = clocks_.runs() ? next_cycle_ + ((soonest - next_cycle_) / interval() + 1) * interval() : soonest;
+    }
     [[nodiscard]] bool is_cycle_due(time_point now) const noexcept { return cycles() && now >= next_cycle_; }
     // Silence is counted in cycles, each at most as long as it is to be: the time in which this program did not run is
     // none of the slave's. A cycle whose frames were forgotten, because another slave came or went, counts as well.
     void end_cycle(time_point now) {
         if (std::exchange(is_cycle_ended_, true)) return;
+        next_cycle_ += clocks_.end_cycle();
         if (!cycle_begun_) return;
         const auto lasted = std::min(now - *cycle_begun_, interval());
         for (place& each : places()) {
@@ -929,6 +1130,10 @@ class ring {
     time_point next_cycle_{};
     std::optional<time_point> cycle_begun_{}; // the last one; none where its slaves were others
     bool is_cycle_ended_{};                   // ... and what it has found counts
+    duration late_{};                         // after it was due
+    ring_clocks clocks_;
+    ethercat::clock_agreement agreement_{};
+    std::array<std::byte, wire::max_size<ethercat::dc_difference>> difference_{}; // of the clock that is looked at
 
     work work_{};
     place* served_{};
@@ -939,9 +1144,10 @@ class ring {
 };
 
 /// A ring with its memory: `ring_for<16, 4096> ring{options}`; see ring_memory_for.
-template <std::size_t Slaves, std::size_t Bytes, std::size_t Lanes = std::min<std::size_t>(Slaves, 16)>
-class ring_for : private ring_memory_for<Slaves, Bytes, Lanes>, public ring {
-    using memory = ring_memory_for<Slaves, Bytes, Lanes>;
+template <std::size_t Slaves, std::size_t Bytes, std::size_t Lanes = std::min<std::size_t>(Slaves, 16),
+          std::size_t Clocks = 0>
+class ring_for : private ring_memory_for<Slaves, Bytes, Lanes, Clocks>, public ring {
+    using memory = ring_memory_for<Slaves, Bytes, Lanes, Clocks>;
 
   public:
     explicit ring_for(const bridge_options& options) noexcept : ring{options, memory::spans()} {}

@@ -3,6 +3,7 @@
 #include <jauscat/base/time.hpp>
 #include <jauscat/bridge/message_lane.hpp>
 #include <jauscat/bridge/slave_front.hpp>
+#include <jauscat/ethercat/master/clock_record.hpp>
 #include <jauscat/ethercat/master/process_data.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
 
@@ -20,7 +21,9 @@ struct ring_place {
     enum class phase : std::uint8_t {
         absent,     // next: bring_up
         pre_op,     // cyclic: next is configure
-        configured, // next: SAFE-OP
+        configured, // next: SAFE-OP, or its clock is set up
+        has_clock,  // ... which then comes to follow the reference clock; next: its SYNC signals
+        has_sync,   // next: SAFE-OP
         safe_op,    // next: OP; its process data are exchanged from here on
         in_state,   // in which it is to work; next: whether it is still at its place
         settling,   // cyclic: in OP, until its inputs are there; else until its state has been read
@@ -35,6 +38,9 @@ struct ring_place {
     time_point up_since{};
     duration silence{}; // cycles that did not find it in a state in which it can be commanded, in a row
     time_point settling_until{};
+    time_point next_look{}; // at how far its clock is from the reference clock
+    bool clock_is_set{};
+    unsigned good_looks{}; // in a row
     bool takes_keep_alive{true};
     bool has_reply{};
     std::optional<time_point> looked_at{}; // the frame that said so
@@ -53,18 +59,25 @@ struct ring_memory {
     std::span<ethercat::process_slot> slots{};
     std::span<std::byte> image{};    ///< all outputs and inputs, up to 64 KiB
     std::span<message_lane> lanes{}; ///< 1 at least: so many slaves get messages by mailbox at the same time
+    /// Two for each slave of the bus, also for those that are not the ring's; none: without distributed clocks.
+    std::span<ethercat::clock_record> clock_records{};
 };
 
-/// Memory for up to `Slaves` slaves and `Bytes` of process data, and `Lanes` messages by mailbox at the same time.
-template <std::size_t Slaves, std::size_t Bytes, std::size_t Lanes = std::min<std::size_t>(Slaves, 16)>
+/// Memory for up to `Slaves` slaves and `Bytes` of process data, `Lanes` messages by mailbox at the same time, and
+/// distributed clocks on a bus of up to `Clocks` slaves.
+template <std::size_t Slaves, std::size_t Bytes, std::size_t Lanes = std::min<std::size_t>(Slaves, 16),
+          std::size_t Clocks = 0>
 struct ring_memory_for {
     std::array<ring_place, Slaves> places{};
     std::array<ethercat::slave_record, Slaves> records{}, exchanged{};
     std::array<ethercat::process_slot, Slaves> slots{};
     std::array<std::byte, Bytes> image{};
     std::array<message_lane, Lanes> lanes{};
+    std::array<ethercat::clock_record, 2 * Clocks> clock_records{};
 
-    [[nodiscard]] ring_memory spans() noexcept { return {places, records, exchanged, slots, image, lanes}; }
+    [[nodiscard]] ring_memory spans() noexcept {
+        return {places, records, exchanged, slots, image, lanes, clock_records};
+    }
 };
 
 } // namespace jauscat::bridging

@@ -109,6 +109,12 @@ class clock_cycle {
     [[nodiscard]] std::uint64_t reference_time() const noexcept { return time_; }
     /// Place of the reference clock; the number of slaves where none is left.
     [[nodiscard]] std::size_t reference() const noexcept { return reference_; }
+    /// They were set up again, one more or one less among them; what is known of the reference time stays.
+    void set_slaves(std::span<const clock_record> slaves, const clock_network& network) noexcept {
+        slaves_ = slaves;
+        expected_counter_ = network.working_counter;
+        set_reference(reference_clock(slaves));
+    }
     /// Another slave's clock is the reference: the first one's, once it has been set up again.
     void set_reference(std::size_t place) noexcept {
         reference_ = place;

@@ -17,6 +17,7 @@ struct sync_settings {
     std::uint32_t sync1_delay{};      ///< ns from SYNC0 to SYNC1, register 09A4h
     std::chrono::nanoseconds shift{}; ///< of SYNC0 from the multiples of the cycle since 2000; positive: later
 
+    friend bool operator==(const sync_settings&, const sync_settings&) = default;
     /// Between two SYNC1, or two SYNC0 where there is none: a later SYNC1 leaves SYNC0s out.
     [[nodiscard]] constexpr std::uint64_t period() const noexcept {
         const bool has_sync1 = (assign_activate & 0x0400) != 0;

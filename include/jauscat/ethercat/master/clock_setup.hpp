@@ -48,7 +48,7 @@ class clock_setup {
         }
         if (step_ == step::drift) return drifted(datagrams.front());
         for (auto& slave : batch()) {
-            if (result_ = take(slave, datagrams); !result_) return progress::done;
+            if (result_ = take(slave, datagrams); !result_) return fail_at(slave.station);
             datagrams = datagrams.subspan(count(slave));
         }
         first_ += batch().size();
@@ -201,6 +201,12 @@ class clock_setup {
     progress fail(const master_error& error) noexcept {
         result_ = error;
         return progress::done;
+    }
+
+    progress fail_at(std::uint16_t station) noexcept {
+        auto error = result_.error();
+        error.station = station;
+        return fail(error);
     }
 
     static constexpr std::uint16_t speed_start = 0x1000;

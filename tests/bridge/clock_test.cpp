@@ -1,0 +1,122 @@
+// Slaves with SYNC signals of their distributed clocks.
+#include "rig.hpp"
+
+using namespace test;
+using status = jaus::primary_status_code;
+
+namespace {
+
+/// In a line, with cables of 100 to 700 ns, clocks that are off by up to 100 ppm, and a master that is fast by 50 ppm.
+class clock_rig {
+  public:
+    explicit clock_rig(std::size_t slaves, std::size_t without_clock = 1000)
+        : r{slaves, true, {}, true, without_clock} {
+        for (std::size_t i = 0; i != slaves; ++i) {
+            set_error(i);
+            wires_.push_back({.device = &r.actuators[i].slave,
+                              .parent = i == 0 ? 0 : i - 1,
+                              .cable = std::chrono::nanoseconds{100 + 100 * (i % 7)}});
+        }
+        connect();
+    }
+    /// Slaves from here on are not there.
+    void disconnect(std::size_t from) { r.wires.emplace(std::span{wires_}.first(from), through); }
+    void connect() { r.wires.emplace(wires_, through); }
+    /// It was switched off and on.
+    void power_cycle(std::size_t i) {
+        r.actuators[i].power_cycle();
+        set_error(i);
+        connect();
+    }
+    /// The largest difference between any two system times.
+    [[nodiscard]] std::int64_t spread() const {
+        const auto at = r.now + 10us;
+        const auto first = r.actuators.front().slave.clock().system_time(at);
+        std::int64_t low = 0, high = 0;
+        for (const auto& each : r.actuators) {
+            const auto off = static_cast<std::int64_t>(each.slave.clock().system_time(at) - first);
+            low = std::min(low, off);
+            high = std::max(high, off);
+        }
+        return high - low;
+    }
+    [[nodiscard]] std::uint64_t missed() const {
+        std::uint64_t sum = 0;
+        for (const auto& each : r.actuators) sum += each.slave.sync_missed();
+        return sum;
+    }
+
+    rig r;
+
+  private:
+    void set_error(std::size_t i) {
+        const auto drift = static_cast<std::int32_t>((i * 37'000 + 20'000) % 200'000) - 100'000;
+        r.actuators[i].slave.set_clock_error({.drift = drift, .start = 1'000'000'000 * (i + 1)});
+    }
+    static constexpr auto through = 300ns;
+    std::vector<ethercat::wired_slave> wires_{};
+};
+
+} // namespace
+
+TEST_CASE("slaves with SYNC signals operate once their clocks and the cycles follow the reference clock") {
+    clock_rig bench{6};
+    auto& r = bench.r;
+    r.run_until_ready();
+    CHECK(bench.spread() < 100);
+    REQUIRE(r.bus.clocks());
+    CHECK(r.bus.clocks()->control().is_locked());
+    CHECK(r.watcher.failed_bring_ups == 0);
+    CHECK(r.watcher.lost == 0);
+    const auto missed = bench.missed();
+    const auto before = r.actuators[5].slave.sync0_count();
+    r.run(1s);
+    CHECK(r.actuators[5].slave.sync0_count() - before >= 99);
+    CHECK(bench.missed() == missed);
+    CHECK(bench.spread() < 100);
+    r.run_until([&, number = r.drive(50, 3)] { return r.is_acknowledged(number); }, 100ms);
+    CHECK(r.watcher.agreements.empty());
+}
+
+TEST_CASE("a slave that was switched off and on gets its clock back while the others go on") {
+    clock_rig bench{6};
+    auto& r = bench.r;
+    r.run_until_ready();
+    const auto i = GENERATE(0u, 2u, 5u); // the first one has the reference clock
+    bench.power_cycle(i);
+    r.run_until([&] { return r.watcher.lost == 1; }, 200ms);
+    CHECK(r.unit(i).state() == status::failure);
+    r.run_until([&] {
+        for (std::size_t k = 1; k != 5; ++k)
+            if (k != i) CHECK(r.fronts[k].up());
+        return r.fronts[i].up();
+    });
+    CHECK(bench.spread() < 1'000);
+    r.run(10s);
+    CHECK(bench.spread() < 100);
+    CHECK(r.watcher.lost == 1);
+    CHECK(r.bus.clocks()->control().is_locked());
+}
+
+TEST_CASE("slaves with SYNC signals come later, and the others go on") {
+    clock_rig bench{6};
+    auto& r = bench.r;
+    bench.disconnect(4);
+    r.run_until([&] { return r.fronts[3].up(); });
+    bench.connect();
+    r.run_until_ready();
+    CHECK(bench.spread() < 1'000);
+    r.run(10s);
+    CHECK(bench.spread() < 100);
+    CHECK(r.watcher.lost == 0);
+}
+
+TEST_CASE("a slave without a clock that is to have SYNC signals is refused, and the others operate") {
+    clock_rig bench{3, 1};
+    auto& r = bench.r;
+    r.run_until([&] { return r.fronts[0].up() && r.fronts[2].up(); });
+    CHECK_FALSE(r.fronts[1].up());
+    CHECK(r.watcher.last_loss == bridging::loss::no_process_data);
+    CHECK(r.bus.bring_up_error(r.fronts[1]).code == ethercat::master_errc::no_clock);
+    CHECK(r.unit(1).state() != status::ready);
+}
