@@ -2,6 +2,7 @@
 #include "app/emulated_bus.hpp"
 #include "esi/sample.hpp"
 #include "support/catch.hpp"
+#include "support/scratch.hpp"
 #include "support/until.hpp"
 #include <jauscat/app/bus.hpp>
 
@@ -311,4 +312,11 @@ TEST_CASE("slaves that cannot be told apart are refused at once") {
     CHECK_THROWS_AS(opens({{.name = "a"}}), std::invalid_argument);
     CHECK_THROWS_AS(opens({{.name = "a", .position = 0}, {.name = "a", .position = 1}}), std::invalid_argument);
     CHECK_THROWS_AS(opens({{.name = "a", .esi = "no-such-file.xml"}}), std::invalid_argument);
+
+    const jauscat::test::scratch folder;
+    std::ofstream{folder / "a.xml"} << jauscat::test::sample_esi_with_pdos();
+    const auto mode = [&](const char* name) { opens({{.name = "a", .esi = folder / "a.xml", .sync_mode = name}}); };
+    CHECK_NOTHROW(mode("Free run"));
+    CHECK_THROWS_WITH(mode("DC sync"), Catch::Contains("no OpMode \"DC sync\"; it has Free run, DC"));
+    CHECK_THROWS_WITH(mode("DC"), Catch::Contains("depend on the period; give them as numbers"));
 }

@@ -205,6 +205,16 @@ TEST_CASE("a callback that throws brings all slaves in operation to rest") {
     CHECK(std::ranges::any_of(b.lines, [](const auto& line) { return line.find("no value") != line.npos; }));
 }
 
+TEST_CASE("a slave without a clock is not operated with SYNC signals") {
+    bench b;
+    const auto left = b.bus->slave({.position = 0});
+    operate_options options{.period = 5ms, .watchdog = 1s, .timeout = 500ms};
+    options.sync = ethercat::sync_settings{.assign_activate = 0x0300};
+    CHECK(b.operate(left, options) == bus_errc::not_synchronized);
+    REQUIRE(b.until([&] { return b.state(0) == ethercat::al_state::pre_op; }));
+    REQUIRE_FALSE(b.operate(left));
+}
+
 TEST_CASE("an operation that cannot be is refused") {
     bench b;
     const auto left = b.bus->slave({.position = 0});

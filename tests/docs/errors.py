@@ -19,7 +19,7 @@ SUCCESS = {"ok", "none", "handled", "accepted"}
 EXPLAINED = {
     "include/jauscat/app/bus_error.hpp bus_errc":
         "not_started no_reply not_sent no_slaves no_such_slave ambiguous too_many_slaves wrong_slave no_objects not_taken refused "
-        "malformed_answer wrong_size too_large timed_out not_configurable needs_cycles",
+        "malformed_answer wrong_size too_large timed_out not_configurable not_synchronized needs_cycles",
     "include/jauscat/app/error.hpp node_errc":
         "not_running not_encodable not_one_address control_refused already_asked",
     "include/jauscat/net/error.hpp errc": "empty_message invalid_address not_ethernet",

@@ -251,6 +251,22 @@ TEST_CASE("a master may name its slaves, what identifies them, and the objects t
     CHECK(b.components.at(1).slaves.empty());
 }
 
+TEST_CASE("a slave may have SYNC signals, by numbers or by a mode of its ESI file") {
+    const auto slave = [](const std::string& inner) {
+        const auto b = system_b("<ethercat interface='eth0'><slave name='x' position='0' esi='x.xml'>" + inner +
+                                    "</slave></ethercat>",
+                                "2.2.0.0");
+        return b.ethercat->slaves.at(0);
+    };
+    using jauscat::net::sync_entry;
+    CHECK_FALSE(slave("").sync);
+    CHECK(slave("<sync/>").sync == sync_entry{.assign_activate = 0x0300});
+    CHECK(slave("<sync assign_activate='0x700' cycle='500000' sync1_delay='1000' shift='-250000'/>").sync ==
+          sync_entry{.assign_activate = 0x0700, .cycle = 500'000, .sync1_delay = 1'000, .shift = -250'000});
+    CHECK(slave("<sync mode='DC'/>").sync_mode == "DC");
+    CHECK_FALSE(slave("<sync mode='DC'/>").sync);
+}
+
 TEST_CASE("the values of objects are given by the type") {
     const auto bytes_of = [](const std::string& type, const std::string& value) {
         const auto b = system_b("<ethercat interface='eth0'><slave name='x' position='0'><sdo index='1' type='" + type +
@@ -303,6 +319,17 @@ TEST_CASE("invalid slaves are refused with their line") {
           "test.xml:6: the slave \"y\" has the position of the <slave> in line 5; give each its own");
     CHECK(in_ethercat("<slave name='x' alias='1'/>\n<slave name='y' alias='1'/>") ==
           "test.xml:6: the slave \"y\" has the alias of the <slave> in line 5; give each its own");
+    const auto sync = [&](const std::string& inner, const std::string& more = "") {
+        return in_ethercat("<slave name='x' position='0' " + more + ">\n" + inner + "</slave>");
+    };
+    CHECK(sync("<sync/>") == "accepted");
+    CHECK(sync("<sync mode='DC'/>") == "test.xml:6: the mode \"DC\" is one of an ESI file; give the slave's esi");
+    CHECK(sync("<sync mode='DC' cycle='1'/>", "esi='x.xml'") ==
+          "test.xml:6: a <sync> has a mode or numbers; leave one of the two out");
+    CHECK(sync("<sync cycle='0'/>") ==
+          "test.xml:6: cycle \"0\" is not a cycle in ns, 1 to 4294967295, decimal or hexadecimal (0x10)");
+    CHECK(sync("<sync shift='1 ms'/>") == "test.xml:6: shift \"1 ms\" is not in ns, -1000000000 to 1000000000");
+    CHECK(sync("<sync/>\n<sync/>") == "test.xml:7: the slave \"x\" has two <sync>; leave one");
     CHECK(object("index='0x6060' type='SINT' value='9'") == "accepted");
     CHECK(object("type='SINT' value='9'") == "test.xml:6: this <sdo> needs <index>");
     CHECK(object("index='0' type='SINT' value='9'") ==

@@ -40,6 +40,7 @@ enum class bus_errc : std::uint8_t {
     too_large,         ///< the object is larger than 65,536 bytes
     state_not_reached, ///< the slave has not reached the state in time
     not_configurable,  ///< the slave's process data or its SII cannot be used
+    not_synchronized,  ///< the slave's clock cannot be set up, or does not follow the reference clock
     needs_cycles,      ///< OP needs the cyclic exchange, which async_operate and bridges have
     served,            ///< a bridge serves the slave, or it is in operation
     timed_out,         ///< not done within the time that it may take
@@ -74,6 +75,8 @@ enum class bus_errc : std::uint8_t {
     case bus_errc::too_large: return "the object has more than 65536 bytes";
     case bus_errc::state_not_reached: return "the slave has not reached the state in time";
     case bus_errc::not_configurable: return "the slave's process data or its SII cannot be used";
+    case bus_errc::not_synchronized:
+        return "the slave's distributed clock cannot be used: check that it has one, and the cables' order";
     case bus_errc::needs_cycles: return "OP needs the cyclic exchange: use async_operate";
     case bus_errc::served: return "the slave is in operation, or a bridge serves it and controls its states";
     case bus_errc::timed_out: return "not done in time";

@@ -2,6 +2,7 @@
 #pragma once
 #include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
+#include <jauscat/ethercat/master/clock_record.hpp>
 #include <jauscat/net/config/slave_entry.hpp>
 
 #include <algorithm>
@@ -72,6 +73,10 @@ struct operate_options {
     /// A slave that has not exchanged process data in OP for so long is lost: 2 periods or more. Default: 50 ms or 2
     /// periods.
     duration timeout{};
+    /// SYNC signals of its distributed clock, each period if its `sync0_cycle` is 0; by default those of its entry in
+    /// bus_options::slaves. It reaches OP once its clock and the cycles follow the reference clock, which takes some
+    /// seconds. The error is `not_synchronized` if they do not.
+    std::optional<ethercat::sync_settings> sync{};
 };
 
 /// Identity of a slave, object 1018h; what is not given is not compared.

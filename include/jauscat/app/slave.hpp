@@ -131,7 +131,8 @@ class slave {
     /// has not exchanged its process data for the options' timeout, or was reset. Then `bus::when_lost` gets the
     /// reason, and `bus::when_found` tells that it answers again; it is not taken to OP by itself, because a device
     /// that was exchanged or reset may have other process data. Throws `std::invalid_argument` for options out of
-    /// range. Errors: slave_lost, served, state_not_reached, not_configurable, AL status codes. `void(error_code)`.
+    /// range. Errors: slave_lost, served, state_not_reached, not_configurable, not_synchronized, AL status
+    /// codes. `void(error_code)`.
     template <class Token = default_token>
     auto async_operate(const operate_options& options = {}, Token&& token = Token{}) const {
         return boost::asio::async_initiate<Token, void(app::error_code)>(

@@ -140,6 +140,7 @@ class served_slave final : public bus_user {
     void bring_up_failed(const bridging::slave_front&, const ethercat::master_error& why);
     void slave_lost(const bridging::slave_front&, bridging::loss what, const ethercat::master_error& why);
     void slave_emergency(const bridging::slave_front&, const ethercat::coe_emergency& emergency);
+    void clocks_agree(const bridging::slave_front&, ethercat::clock_agreement how, std::uint32_t difference);
     void no_keep_alive(const bridging::slave_front&, const bridging::refusal_reason& why);
     void changed_state(const bridging::component& unit, jaus::primary_status_code from, jaus::primary_status_code to);
     void stop_refused(const bridging::component& unit, bridging::stop_order what, const bridging::refusal_reason& why,

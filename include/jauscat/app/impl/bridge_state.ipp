@@ -268,11 +268,13 @@ JAUSCAT_DECL std::string served_slave::name() const {
 JAUSCAT_DECL void served_slave::start() {
     if (works_) return;
     auto& node = bridge_.node().net();
+    const auto* const named = bridge_.bus()->named(which_);
     front_.emplace(bridging::slave_options{.position = which_.position.value_or(0),
                                            .identity = {.subsystem = node.manager().subsystem, .station = station_},
                                            .cyclic = bridge_.options().period > duration{},
                                            .node = node.manager().node,
-                                           .is_taken_over = bridge_.bus()->named(which_) != nullptr},
+                                           .sync = sync_of(named).value_or(ethercat::sync_settings{}),
+                                           .is_taken_over = named != nullptr},
                    *exchange_, bridge_.timing(), memory_, observer());
     works_ = true;
     last_problem_.clear();
@@ -394,6 +396,7 @@ JAUSCAT_DECL bridging::observer served_slave::observer() noexcept {
             .bring_up_failed = jaus::bound<&served_slave::bring_up_failed>(*this),
             .slave_lost = jaus::bound<&served_slave::slave_lost>(*this),
             .slave_emergency = jaus::bound<&served_slave::slave_emergency>(*this),
+            .clocks_agree = jaus::bound<&served_slave::clocks_agree>(*this),
             .no_keep_alive = jaus::bound<&served_slave::no_keep_alive>(*this),
             .changed_state = jaus::bound<&served_slave::changed_state>(*this),
             .changed_controller = watcher().changed_controller,
@@ -490,6 +493,11 @@ JAUSCAT_DECL void served_slave::slave_emergency(const bridging::slave_front& sla
                numbered(", error register %02Xh", emergency.error_register);
     });
     bridge_.call_later(&bridge_state::on_emergency, which_, emergency);
+}
+JAUSCAT_DECL void served_slave::clocks_agree(const bridging::slave_front& slave, ethercat::clock_agreement how,
+                                             std::uint32_t difference) {
+    watcher().clocks_agree(slave, how, difference);
+    bridge_.bus()->note_clocks(how, difference);
 }
 JAUSCAT_DECL void served_slave::no_keep_alive(const bridging::slave_front& slave, const bridging::refusal_reason& why) {
     watcher().no_keep_alive(slave, why);

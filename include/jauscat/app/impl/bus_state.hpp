@@ -138,6 +138,9 @@ class operated_slave final : public bus_user {
     void slave_up(const bridging::slave_front&, const ethercat::slave_record&, bool ready);
     void slave_lost(const bridging::slave_front&, bridging::loss what, const ethercat::master_error& why);
     void slave_emergency(const bridging::slave_front&, const ethercat::coe_emergency& emergency);
+    void clocks_agree(const bridging::slave_front&, ethercat::clock_agreement how, std::uint32_t difference);
+    /// More than the bus's `timeout`, to set the clock up.
+    static constexpr duration clock_time = std::chrono::seconds{20};
     void rest();
 
     bus_state& bus_;
@@ -200,6 +203,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     void bring_to_rest(std::span<bus_user* const> users);
     void note_served(bus_user& user, const ethercat::slave_record& record);
     void note_served_lost(bus_user& user, error_code why);
+    void note_clocks(ethercat::clock_agreement how, std::uint32_t difference);
     [[nodiscard]] bool is_serving() const noexcept { return !users_.empty(); }
     /// Of the options; nullptr: `which` is none of them.
     [[nodiscard]] named_slave* named(const slave_choice& which) noexcept { return named_.find(which.name.view()); }
@@ -317,7 +321,8 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     bus_options options_;
     std::unique_ptr<net::any_link> link_;
     bridging::bridge_options timing_{};
-    std::unique_ptr<bridging::ring_for<max_slaves, max_process_data>> ring_{};
+    using ring_type = bridging::ring_for<max_slaves, max_process_data, 16, max_slaves>;
+    std::unique_ptr<ring_type> ring_{};
     ring_output output_{*this};
     std::vector<bus_user*> users_{};
     std::vector<std::unique_ptr<operated_slave>> operated_{};
@@ -336,7 +341,8 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     bool is_match_due_{};
     time_point next_find_{}; ///< of named slaves that have come, gone or moved
     std::string problem_{};  ///< of the link, as it was logged
-    bool looked_last_{};     ///< the last job was a look at a slave
+    ethercat::clock_agreement clocks_{};
+    bool looked_last_{}; ///< the last job was a look at a slave
     bool has_seen_master_{}, has_seen_gap_{};
     bool is_started_{};
     bool is_closed_{};

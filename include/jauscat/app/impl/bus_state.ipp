@@ -47,13 +47,13 @@ JAUSCAT_DECL error_code error_of(const ethercat::master_error& error) noexcept {
     case too_many_managers:
     case image_full:
     case watchdog_range:
+    case object_not_kept:
+    case watchdog_not_kept: return bus_errc::not_configurable;
     case no_clock:
     case clock_topology:
     case clock_delay:
     case clock_unsettled:
-    case sync_late:
-    case object_not_kept:
-    case watchdog_not_kept: return bus_errc::not_configurable;
+    case sync_late: return bus_errc::not_synchronized;
     case not_configured: return bus_errc::needs_cycles;
     case mailbox_full: return bus_errc::not_taken;
     case mailbox_timeout: return bus_errc::no_answer;
@@ -571,12 +571,24 @@ struct unheard final : operation<> {
     void deliver(error_code) override {}
 };
 
+// System time of distributed clocks, ns since 2000-01-01, when net::now() was 0; the same for all of this program.
+inline std::uint64_t system_time_at_zero() {
+    using std::chrono::system_clock, std::chrono::nanoseconds;
+    static const std::uint64_t time = [] {
+        constexpr std::chrono::sys_days epoch{std::chrono::year{2000} / std::chrono::January / 1};
+        const nanoseconds since = system_clock::now() - epoch;
+        return static_cast<std::uint64_t>((since - net::now().time_since_epoch()).count());
+    }();
+    return time;
+}
+
 inline bridging::bridge_options timing_of(const bus_options& options) {
     bridging::bridge_options timing{};
     timing.master = {.frame_timeout = options.frame_timeout,
                      .frames_may_be_copied = options.frames_may_be_copied,
                      .retries = options.frame_retries};
     timing.download = {.clear_subindex_0 = options.clear_subindex_0};
+    timing.system_time = system_time_at_zero();
     return timing;
 }
 
@@ -626,7 +638,7 @@ template <class F, class... Arguments> void bus_state::call_later(F bus_state::*
 
 JAUSCAT_DECL void bus_state::open() {
     if (ring_) return;
-    ring_ = std::make_unique<bridging::ring_for<max_slaves, max_process_data>>(timing_);
+    ring_ = std::make_unique<ring_type>(timing_);
     ring_->share({.begin = jaus::bound<&bus_state::begin_job>(*this),
                   .done = jaus::bound<&bus_state::end_job>(*this),
                   .cycle = jaus::bound<&bus_state::run_cycle>(*this)});
@@ -1239,6 +1251,13 @@ JAUSCAT_DECL void bus_state::note_served(bus_user& user, const ethercat::slave_r
     slave->why = {};
     problem_.clear();
 }
+JAUSCAT_DECL void bus_state::note_clocks(ethercat::clock_agreement how, std::uint32_t difference) {
+    using enum ethercat::clock_agreement;
+    if (std::exchange(clocks_, how) == how) return; // each of the slaves tells it
+    if (how == good) return log("the distributed clocks agree again");
+    log("the distributed clocks differ by up to " + std::to_string(difference) +
+        " ns: check for lost frames (jauscat-ecat monitor), and the slaves' clocks");
+}
 JAUSCAT_DECL void bus_state::note_served_lost(bus_user& user, error_code why) {
     auto* const slave = at(user.front().station());
     if (slave == nullptr) return;
@@ -1263,22 +1282,29 @@ inline bridging::bridge_options timing_of(const operate_options& options) {
     return {.period = period, .watchdog = watchdog, .longest_silence = timeout, .check_interval = period};
 }
 
+inline std::optional<ethercat::sync_settings> sync_of(const bus_slave& which, const operate_options& options) {
+    if (options.sync) return options.sync;
+    return sync_of(which.named);
+}
+
 JAUSCAT_DECL operated_slave::operated_slave(bus_state& on, const bus_slave& which, const operate_options& options,
                                             operation_ptr<> done)
     : bus_{on},
       done_{std::move(done)},
-      due_{deadline{net::now(), on.options().timeout}.at()},
+      due_{deadline{net::now(), on.options().timeout + (sync_of(which, options) ? clock_time : duration{})}.at()},
       timing_{timing_of(options)},
       front_{{.position = which.info.position,
               .identity = {.station = which.info.station},
               .cyclic = true,
+              .sync = sync_of(which, options).value_or(ethercat::sync_settings{}),
               .is_taken_over = true},
              exchange_,
              timing_,
              memory_,
              {.slave_up = jaus::bound<&operated_slave::slave_up>(*this),
               .slave_lost = jaus::bound<&operated_slave::slave_lost>(*this),
-              .slave_emergency = jaus::bound<&operated_slave::slave_emergency>(*this)}} {
+              .slave_emergency = jaus::bound<&operated_slave::slave_emergency>(*this),
+              .clocks_agree = jaus::bound<&operated_slave::clocks_agree>(*this)}} {
     bus_.add_timing(timing_);
 }
 JAUSCAT_DECL operated_slave::~operated_slave() { bus_.release_timing(timing_); }
@@ -1328,6 +1354,10 @@ JAUSCAT_DECL void operated_slave::slave_lost(const bridging::slave_front&, bridg
     if (!error || error == bus_errc::stopped) error = bus_errc::slave_lost;
     if (auto* const slave = bus_.at(station())) bus_.note_lost(*slave, error);
     done_->complete(error);
+}
+JAUSCAT_DECL void operated_slave::clocks_agree(const bridging::slave_front&, ethercat::clock_agreement how,
+                                               std::uint32_t difference) {
+    bus_.note_clocks(how, difference);
 }
 JAUSCAT_DECL void operated_slave::slave_emergency(const bridging::slave_front&,
                                                   const ethercat::coe_emergency& emergency) {

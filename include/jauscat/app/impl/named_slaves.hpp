@@ -1,11 +1,14 @@
 // The slaves that the options of a bus name: which of those that are found they are.
 #pragma once
 #include <jauscat/app/bus_error.hpp>
+#include <jauscat/ethercat/master/clock_record.hpp>
 #include <jauscat/ethercat/master/jobs.hpp>
 #include <jauscat/ethercat/master/slave_matching.hpp>
 #include <jauscat/net/config/slave_entry.hpp>
 
+#include <chrono>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +28,16 @@ struct named_slave {
     boost::system::error_code why{};                ///< it is refused
     bus_user* user{};                               ///< waits for it
 };
+
+/// None: it has none.
+[[nodiscard]] inline std::optional<ethercat::sync_settings> sync_of(const named_slave* slave) {
+    if (slave == nullptr || !slave->entry.sync) return std::nullopt;
+    const auto& sync = *slave->entry.sync;
+    return ethercat::sync_settings{.assign_activate = sync.assign_activate,
+                                   .sync0_cycle = sync.cycle,
+                                   .sync1_delay = sync.sync1_delay,
+                                   .shift = std::chrono::nanoseconds{sync.shift}};
+}
 
 class named_slaves {
   public:

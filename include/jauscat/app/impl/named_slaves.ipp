@@ -11,6 +11,27 @@ namespace jauscat {
 inline namespace JAUSCAT_WAY {
 namespace app {
 
+// Factors other than 1 of a period, and cycles of SYNC1, are read in several ways: they are not guessed.
+inline net::sync_entry sync_of_mode(const net::slave_entry& entry, const esi::device& device) {
+    const auto refuse = [&](const std::string& why) {
+        throw std::invalid_argument{"slave \"" + entry.name + "\": " + entry.esi + why};
+    };
+    const auto mode = std::ranges::find(device.clock_modes, entry.sync_mode, &esi::clock_mode::name);
+    if (mode == device.clock_modes.end()) {
+        std::string all;
+        for (const auto& each : device.clock_modes) all += (all.empty() ? "" : ", ") + each.name;
+        refuse(" has no OpMode \"" + entry.sync_mode + "\"; it has " + (all.empty() ? "none" : all));
+    }
+    const bool has_sync1 = (mode->assign_activate & 0x0400) != 0;
+    if ((mode->cycle_time_0 == 0 && mode->cycle_factor_0 != 0 && mode->cycle_factor_0 != 1) ||
+        (has_sync1 && (mode->cycle_time_1 != 0 || mode->cycle_factor_1 != 0 || mode->shift_time_1 < 0)))
+        refuse(": the times of the OpMode \"" + entry.sync_mode + "\" depend on the period; give them as numbers");
+    return {.assign_activate = mode->assign_activate,
+            .cycle = mode->cycle_time_0,
+            .sync1_delay = has_sync1 ? static_cast<std::uint32_t>(mode->shift_time_1) : 0,
+            .shift = mode->shift_time_0};
+}
+
 inline void add_esi_identity(net::slave_entry& entry) {
     const auto device = esi::read_esi(entry.esi, {.product = entry.product, .revision = entry.revision});
     if (!device) throw std::invalid_argument{"slave \"" + entry.name + "\": " + device.error().message};
@@ -19,6 +40,7 @@ inline void add_esi_identity(net::slave_entry& entry) {
     entry.vendor = device->vendor_id;
     entry.product = device->product_code;
     entry.revision = device->revision;
+    if (!entry.sync_mode.empty()) entry.sync = sync_of_mode(entry, *device);
 }
 
 JAUSCAT_DECL named_slaves::named_slaves(std::vector<net::slave_entry> entries) {

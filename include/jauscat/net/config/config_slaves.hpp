@@ -127,12 +127,43 @@ inline start_up_sdo config_start_up_sdo(const config_source& source, pugi::xml_n
             .line = source.line_of(node)};
 }
 
+/// Either a mode of the ESI file or the numbers.
+inline void config_sync(const config_source& source, pugi::xml_node node, slave_entry& made) {
+    std::array values{config_value{"mode"}, config_value{"assign_activate"}, config_value{"cycle"},
+                      config_value{"sync1_delay"}, config_value{"shift"}};
+    source.collect(node, values);
+    const auto& [mode, assign_activate, cycle, sync1_delay, shift] = values;
+    const bool has_numbers = assign_activate.given || cycle.given || sync1_delay.given || shift.given;
+    if (mode.given && has_numbers)
+        source.fail(config_errc::invalid_value, mode, "a <sync> has a mode or numbers; leave one of the two out");
+    if (mode.given && made.esi.empty())
+        source.fail(config_errc::missing, mode,
+                    "the mode " + quoted(mode.text) + " is one of an ESI file; give the slave's esi");
+    made.sync_mode = std::string{mode.text};
+    if (mode.given) return;
+    constexpr sync_entry made_default{};
+    std::int32_t later{};
+    const auto* const end = shift.text.data() + shift.text.size();
+    if (shift.given) {
+        const auto [stop, error] = std::from_chars(shift.text.data(), end, later);
+        if (error != std::errc{} || stop != end || later < -1'000'000'000 || later > 1'000'000'000)
+            source.fail(config_errc::invalid_value, shift,
+                        "shift " + quoted(shift.text) + " is not in ns, -1000000000 to 1000000000");
+    }
+    made.sync = sync_entry{
+        .assign_activate = config_optional_number<std::uint16_t>(source, assign_activate, 1, "an AssignActivate")
+                               .value_or(made_default.assign_activate),
+        .cycle = config_optional_number<std::uint32_t>(source, cycle, 1, "a cycle in ns").value_or(0),
+        .sync1_delay = config_optional_number<std::uint32_t>(source, sync1_delay, 0, "a delay in ns").value_or(0),
+        .shift = later};
+}
+
 inline slave_entry config_slave(const config_source& source, pugi::xml_node node) {
     std::array values{config_value{"name"},           config_value{"position"}, config_value{"alias"},
                       config_value{"identification"}, config_value{"vendor"},   config_value{"product"},
                       config_value{"revision"},       config_value{"serial"},   config_value{"esi"},
                       config_value{"optional"}};
-    source.collect(node, values, {"sdo"});
+    source.collect(node, values, {"sdo", "sync"});
     const auto& [name, position, alias, identification, vendor, product, revision, serial, esi, is_optional] = values;
     source.need(node, {name});
     if (name.text.find_first_of(" \t\r\n") != name.text.npos)
@@ -155,6 +186,12 @@ inline slave_entry config_slave(const config_source& source, pugi::xml_node node
         source.fail(config_errc::missing, "slave", made.line,
                     "nothing identifies the slave " + quoted(std::string_view{made.name}) +
                         "; give its position, alias, identification, vendor, product, serial or esi");
+    for (const auto child : node.children("sync")) {
+        if (made.sync || !made.sync_mode.empty())
+            source.fail(config_errc::duplicate, "sync", source.line_of(child),
+                        "the slave " + quoted(std::string_view{made.name}) + " has two <sync>; leave one");
+        config_sync(source, child, made);
+    }
     for (const auto child : node.children("sdo")) made.start_up.push_back(config_start_up_sdo(source, child));
     return made;
 }

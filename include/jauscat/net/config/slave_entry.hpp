@@ -18,6 +18,15 @@ struct start_up_sdo {
     friend bool operator==(const start_up_sdo&, const start_up_sdo&) = default;
 };
 
+/// SYNC signals of a slave's distributed clock (ESI: Dc/OpMode), as in ethercat::sync_settings.
+struct sync_entry {
+    std::uint16_t assign_activate{0x0300}; ///< registers 0980h and 0981h: SYNC0
+    std::uint32_t cycle{};                 ///< of SYNC0, in ns; 0: the period of the process data
+    std::uint32_t sync1_delay{};           ///< of SYNC1 after SYNC0, in ns
+    std::int32_t shift{};                  ///< of SYNC0 from the multiples of its cycle, in ns; positive: later
+    friend bool operator==(const sync_entry&, const sync_entry&) = default;
+};
+
 /// A slave by name, and how it is known. Another slave in its place is refused. At least one of the values that
 /// identify it is given; what is not given is not compared.
 struct slave_entry {
@@ -34,6 +43,9 @@ struct slave_entry {
 
     bool is_optional{}; ///< it may be absent, and come later (hot connect)
     std::vector<start_up_sdo> start_up{};
+    /// While its process data are exchanged.
+    std::optional<sync_entry> sync{};
+    std::string sync_mode{}; ///< the same by the name of an OpMode of the ESI file; empty: `sync` has them
     std::size_t line{};
     friend bool operator==(const slave_entry&, const slave_entry&) = default;
 };
