@@ -38,6 +38,7 @@ struct bridge_program::unit {
                                                     .station = program.wire_[slave].station};
             bridging::slave_options made{
                 .position = static_cast<std::uint16_t>(slave), .identity = identity, .cyclic = what.cyclic};
+            if (program.settings_.has_clocks && what.axes != 0) made.sync.assign_activate = 0x0300;
             if (program.settings_.checks_serials) made.expected.serial = ring::serial_of(slave);
             exchanges.emplace_back(identity);
             orders.emplace_back();
@@ -93,7 +94,7 @@ struct bridge_program::life_data {
     bridge_program& mine;
     bridging::bridge_options options;
     std::deque<unit> units{};
-    std::optional<bridging::ring_for<16, 4096>> bus{};
+    std::optional<bridging::ring_for<16, 4096, 16, 16>> bus{};
     bool ends{};
     time ends_since{};
 };
@@ -119,7 +120,10 @@ bridge_program::~bridge_program() = default;
 
 bridging::bridge_options bridge_settings::options(const unit_settings& of) const {
     const bool any_cyclic = std::ranges::any_of(units, [](const unit_settings& one) { return one.cyclic; });
-    return bridging::at_rest_within(of.limit, any_cyclic ? period : time{});
+    auto made = bridging::at_rest_within(of.limit, any_cyclic ? period : time{});
+    made.system_time = 800'000'000'000'000'000;
+    made.clocks.drift_frames = 500; // a real slave takes more to learn its drift
+    return made;
 }
 
 ring_times bridge_settings::times(const unit_settings& of) const {

@@ -39,6 +39,7 @@ struct unit_settings {
 struct bridge_settings {
     std::vector<unit_settings> units{};
     time period{std::chrono::milliseconds{10}};
+    bool has_clocks{};     ///< drives have SYNC signals, each period
     bool checks_serials{}; ///< a slave at the place of another is not brought up
     [[nodiscard]] bridging::bridge_options options(const unit_settings& of) const;
     [[nodiscard]] ring_times times(const unit_settings& of) const;

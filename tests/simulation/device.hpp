@@ -25,9 +25,9 @@ class device {
     virtual void power_on(time now) = 0;
     /// An application works whether frames pass or not.
     virtual void on_time(time now) = 0;
-    /// A frame passes. `frozen`: the controller alone works, the application does not.
-    void pass(std::span<std::byte> frame, time now, bool frozen) {
-        slave().pass(frame, jauscat::time_point{now});
+    /// A frame passes, `late` after it was sent. `frozen`: the controller alone works, the application does not.
+    void pass(std::span<std::byte> frame, time now, time late, bool frozen) {
+        slave().pass(frame, jauscat::time_point{now + late});
         if (!frozen) on_time(now);
     }
 };

@@ -13,10 +13,14 @@ namespace {
 
 template <std::size_t Axes> class drive_of final : public drive_unit {
   public:
-    drive_of(std::uint32_t serial, std::size_t first_joint, std::function<void(std::size_t, command_number)> moved)
+    drive_of(std::uint32_t serial, std::size_t first_joint, std::function<void(std::size_t, command_number)> moved,
+             const std::optional<ethercat::clock_error>& clock)
         : drive_unit{std::move(moved), first_joint, Axes}, description_{cia402::drive_description<Axes>} {
         description_.serial = serial;
+        description_.clock = clock ? ethercat::clock_width::bits_64 : ethercat::clock_width::no_clock;
+        description_.needs_sync = clock.has_value();
         slave_.emplace(description_, dictionary_);
+        if (clock) slave_->set_clock_error(*clock);
     }
     ethercat::slave& slave() noexcept override { return *slave_; }
     const ethercat::slave& slave() const noexcept override { return *slave_; }
@@ -93,9 +97,10 @@ command_number drive_unit::command_of(std::size_t i) {
 }
 
 std::unique_ptr<drive_unit> make_drive(std::size_t axes, std::uint32_t serial, std::size_t first_joint,
-                                       std::function<void(std::size_t, command_number)> moved) {
-    if (axes == 2) return std::make_unique<drive_of<2>>(serial, first_joint, std::move(moved));
-    return std::make_unique<drive_of<1>>(serial, first_joint, std::move(moved));
+                                       std::function<void(std::size_t, command_number)> moved,
+                                       const std::optional<ethercat::clock_error>& clock) {
+    if (axes == 2) return std::make_unique<drive_of<2>>(serial, first_joint, std::move(moved), clock);
+    return std::make_unique<drive_of<1>>(serial, first_joint, std::move(moved), clock);
 }
 
 } // namespace simulation

@@ -45,8 +45,9 @@ class drive_unit : public device {
     std::vector<seen> seen_;
 };
 
-/// A drive of 1 or 2 axes.
+/// A drive of 1 or 2 axes; with a clock it is in OP only while it has SYNC signals.
 [[nodiscard]] std::unique_ptr<drive_unit> make_drive(std::size_t axes, std::uint32_t serial, std::size_t first_joint,
-                                                     std::function<void(std::size_t, command_number)> moved);
+                                                     std::function<void(std::size_t, command_number)> moved,
+                                                     const std::optional<ethercat::clock_error>& clock);
 
 } // namespace simulation

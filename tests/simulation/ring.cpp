@@ -12,6 +12,7 @@ using std::chrono::milliseconds;
 namespace registers = ethercat::esc_registers;
 
 constexpr time tick_time = milliseconds{10};
+constexpr time hop_time = std::chrono::nanoseconds{700}; // from a slave to the next one
 constexpr std::array ring_faults{fault::cable_out,    fault::slave_frozen,     fault::slave_restarted,
                                  fault::slave_aborts, fault::slave_falls_back, fault::mailbox_recounted,
                                  fault::other_master, fault::unknown_state};
@@ -35,11 +36,14 @@ void ring::add_arm(std::string name, std::uint16_t station, bool cyclic) {
     places_.back().unit = std::move(made);
 }
 
-void ring::add_drive(std::string name, std::uint16_t station, std::size_t axes, std::size_t first_joint) {
+void ring::add_drive(std::string name, std::uint16_t station, std::size_t axes, std::size_t first_joint,
+                     const std::optional<ethercat::clock_error>& clock) {
+    has_clocks_ = has_clocks_ || clock;
     const auto i = places_.size();
     add(std::move(name), station, true);
-    auto made = make_drive(axes, serial_of(i), first_joint,
-                           [this, i](std::size_t axis, command_number command) { moved_(i, axis, command); });
+    auto made = make_drive(
+        axes, serial_of(i), first_joint,
+        [this, i](std::size_t axis, command_number command) { moved_(i, axis, command); }, clock);
     places_.back().drive = made.get();
     places_.back().unit = std::move(made);
 }
@@ -102,15 +106,23 @@ void ring::send(bytes frame) {
 }
 
 void ring::pass(std::span<std::byte> frame, std::size_t end) {
-    for (const std::size_t i : std::span{order_}.first(end)) {
-        if (!is_reachable(i)) return;
+    const auto first_unreachable = std::ranges::find_if(order_, [&](std::size_t i) { return !is_reachable(i); });
+    const auto count = std::min(end, static_cast<std::size_t>(first_unreachable - order_.begin()));
+    for (std::size_t k = 0; k != count; ++k) {
+        const auto i = order_[k];
         auto& at = places_[i];
-        at.unit->pass(frame, world_.now(), at.frozen);
+        if (has_clocks_)
+            at.unit->slave().set_connected(1, order_.begin() + static_cast<std::ptrdiff_t>(k) + 1 != first_unreachable);
+        at.unit->pass(frame, world_.now(), static_cast<std::int64_t>(k) * hop_time, at.frozen);
         at.passed_at = world_.now();
         alter(at, frame);
         if (at.arm != nullptr && at.arm->take_aborted()) at.disturbed_at = world_.now();
         look(at);
     }
+    if (!has_clocks_ || count != static_cast<std::size_t>(first_unreachable - order_.begin())) return;
+    for (std::size_t k = count; k-- > 1;) // back past the slaves before it
+        places_[order_[k - 1]].unit->slave().frame_returned(
+            1, jauscat::time_point{world_.now() + static_cast<std::int64_t>(2 * count - k) * hop_time});
 }
 
 // What other slaves answer in its place: mailbox counters that are its own, an AL state that nobody knows.
@@ -381,7 +393,7 @@ void ring::write(ring_place& at, std::uint16_t address, std::uint16_t value) {
     ethercat::frame_builder made{frame, 0xEE};
     made.add(ethercat::command::apwr, 0, address, ethercat::esc_word{value});
     const auto whole = made.finish();
-    at.unit->pass(*whole, world_.now(), at.frozen);
+    at.unit->pass(*whole, world_.now(), {}, at.frozen);
 }
 
 } // namespace simulation

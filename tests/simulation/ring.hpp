@@ -84,7 +84,8 @@ class ring final : public actor {
     /// The next slave; before `start`.
     void add_arm(std::string name, std::uint16_t station, bool cyclic);
     /// `first_joint`: the number in its arm of the first of 1 or 2 axes.
-    void add_drive(std::string name, std::uint16_t station, std::size_t axes, std::size_t first_joint);
+    void add_drive(std::string name, std::uint16_t station, std::size_t axes, std::size_t first_joint,
+                   const std::optional<ethercat::clock_error>& clock);
     [[nodiscard]] static constexpr std::uint32_t serial_of(std::size_t i) noexcept {
         return 1000 + static_cast<std::uint32_t>(i);
     }
@@ -128,6 +129,7 @@ class ring final : public actor {
     world& world_;
     std::function<void(std::size_t, std::size_t, command_number)> moved_;
     bool is_rough_;
+    bool has_clocks_{};
     frame_user* user_{};
     std::vector<ring_place> places_{};
     std::vector<std::size_t> order_{}; ///< which slave is at each place of the cable

@@ -87,7 +87,7 @@ units make_drives(system_kind kind, generator& random) {
         for (std::size_t i = count; i > 1; --i) std::swap(free[i - 1], free[random.below(i)]);
     units made;
     while (!free.empty()) {
-        const bool is_drive = kind == system_kind::drives || made.empty() || random.below(2) == 0;
+        const bool is_drive = kind != system_kind::robot || made.empty() || random.below(2) == 0;
         constexpr std::array<std::size_t, 5> sizes{1, 2, 3, 4, 6};
         auto size = is_drive ? sizes[random.below(sizes.size())] : 1;
         if (size > free.size()) size = 1;
@@ -118,8 +118,10 @@ class bridge_system {
             constexpr std::array periods{5, 10, 20};
             made.period = std::chrono::milliseconds{periods[random.below(periods.size())]};
             made.checks_serials = true;
+            made.has_clocks = kind == system_kind::clocks;
+            if (made.has_clocks) made.period = std::chrono::milliseconds{2 + 3 * random.below(2)};
         }
-        add_slaves(made.units);
+        add_slaves(made, random);
         for (const auto& each : made.units) {
             const auto node = station_of(each.slaves.front());
             places_.push_back({"node of arm " + std::to_string(places_.size()), {0, 0, node, arm_unit::subsystem}});
@@ -153,10 +155,15 @@ class bridge_system {
 
   private:
     [[nodiscard]] static bool has_drives(system_kind kind) {
-        return kind == system_kind::drives || kind == system_kind::robot;
+        return kind == system_kind::drives || kind == system_kind::robot || kind == system_kind::clocks;
+    }
+    /// Off by up to 100 ppm.
+    [[nodiscard]] static ethercat::clock_error some_clock(generator& random) {
+        return {.drift = static_cast<std::int32_t>(random.below(200'001)) - 100'000, .start = random.next() >> 2};
     }
     [[nodiscard]] static std::uint8_t station_of(std::size_t slave) { return static_cast<std::uint8_t>(2 + slave); }
-    void add_slaves(const units& all) {
+    void add_slaves(const bridge_settings& what, generator& random) {
+        const auto& all = what.units;
         const auto count = std::accumulate(all.begin(), all.end(), std::size_t{},
                                            [](std::size_t sum, const auto& each) { return sum + each.slaves.size(); });
         for (std::size_t i = 0; i != count; ++i) {
@@ -167,7 +174,8 @@ class bridge_system {
                 wire_.add_arm("arm " + std::to_string(i), station_of(i), whose->cyclic);
             else
                 wire_.add_drive("drive " + std::to_string(i), station_of(i), whose->axes,
-                                static_cast<std::size_t>(place) * whose->axes);
+                                static_cast<std::size_t>(place) * whose->axes,
+                                what.has_clocks ? std::optional{some_clock(random)} : std::nullopt);
         }
     }
 
@@ -190,7 +198,7 @@ bool is_chatter(deed what) {
 
 namespace {
 constexpr std::array<std::string_view, 1 + system_count> system_names{"any",   "jaus",   "mailbox", "cyclic",
-                                                                      "mixed", "drives", "robot"};
+                                                                      "mixed", "drives", "robot",   "clocks"};
 }
 
 std::string_view name_of(system_kind kind) { return system_names[static_cast<std::size_t>(kind)]; }
