@@ -110,8 +110,8 @@ std::string configuration() {
     asio::io_context context;
     const asio::ip::udp::endpoint any{asio::ip::address_v4::loopback(), 0};
     const asio::ip::udp::socket first{context, any}, second{context, any};
-    return "<jausconfig>\n" + system("operator", "1.1.0.0", first) + system("arm", "2.1.0.0", second) +
-           "</jausconfig>\n";
+    return "<jausconfig>\n<thissystem>operator</thissystem>\n" + system("operator", "1.1.0.0", first) +
+           system("arm", "2.1.0.0", second) + "</jausconfig>\n";
 }
 
 std::array<jauscat::bridging::joint_options, joints> arm_joints() {
@@ -181,6 +181,7 @@ void run(std::size_t count, std::chrono::milliseconds period) {
     for (std::uint16_t position = 0; position != joints; ++position)
         slaves.push_back(bus.slave({.position = position}));
     bridge.serve({.component = 54}, slaves, std::make_unique<jauscat::bridging::joint_part<joints>>(arm_joints()));
+    arm.start();
     std::thread arm_thread{[&] { arm_context.run(); }};
 
     times all;
@@ -191,6 +192,7 @@ void run(std::size_t count, std::chrono::milliseconds period) {
                            {.config_text = systems, .this_system = "operator", .log = [](std::string_view) {}}};
         jauscat::component unit{node, {.id = 32, .name = "operator"}};
         unit.ready();
+        node.start();
         asio::co_spawn(context, measure(unit, drives, all, count, period), [&](const std::exception_ptr& error) {
             problem = error;
             node.stop();
@@ -198,7 +200,10 @@ void run(std::size_t count, std::chrono::milliseconds period) {
         });
         context.run();
     }
-    asio::post(arm_context, [&] { arm.stop(); });
+    asio::post(arm_context, [&] {
+        arm.stop();
+        arm_context.stop(); // a bus keeps it running
+    });
     arm_thread.join();
     if (problem) std::rethrow_exception(problem);
     for (std::size_t i = 0; i != all.since.size(); ++i) {
