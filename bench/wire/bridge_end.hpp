@@ -52,6 +52,10 @@ class bridge_end {
         into.sent.frames += link_.sent.frames;
         into.sent.bytes += link_.sent.bytes;
         into.sent.wire += link_.sent.wire;
+        // A component remembers each acknowledged message for 2 s, and takes no more from one sender than half of its
+        // memory holds: 2048 in 2 s.
+        constexpr std::chrono::microseconds pause{1'200};
+        drive_until(begun + pause, [] { return false; });
     }
 
   private:
@@ -80,10 +84,13 @@ class bridge_end {
                   [&] { return static_cast<std::size_t>(std::ranges::count(acknowledged_, true)) == answers; });
     }
     void run_until(nanoseconds limit, const char* otherwise, auto&& done) {
-        const auto end = jauscat::net::now() + limit;
+        if (!drive_until(jauscat::net::now() + limit, done)) throw std::runtime_error{otherwise};
+    }
+    // False: not by then.
+    bool drive_until(jauscat::time_point end, auto&& done) {
         while (!done()) {
             auto now = jauscat::net::now();
-            if (now >= end) throw std::runtime_error{otherwise};
+            if (now >= end) return false;
             while (const auto size = bus_.next_frame(buffer_, now))
                 if (!link_.send(std::span{buffer_}.first(size))) bus_.not_sent();
             auto wake = std::min(end, bus_.next_event().value_or(end));
@@ -95,6 +102,7 @@ class bridge_end {
             for (auto& each : units_) each.on_time(now, out_);
             bus_.on_time(now, out_);
         }
+        return true;
     }
     void take(std::span<const std::byte> message) {
         const auto head = jaus::split(message).header;
