@@ -92,6 +92,16 @@ enum class mode : std::int8_t { position = 1, torque = -4 };
 
 } // namespace
 
+TEST_CASE("the slaves of a bus are brought up at once") {
+    constexpr std::size_t count = 64;
+    bench b{std::vector<ethercat::slave_description>(count, {.vendor = 7, .product = 1, .name = "axis"})};
+    REQUIRE_FALSE(b.start());
+    const auto all = b.bus->slaves();
+    REQUIRE(all.size() == count);
+    CHECK(std::ranges::all_of(all, [](const auto& each) { return each.name == "axis" && !each.is_lost; }));
+    CHECK(b.ring.frames() < count * 12); // 27 and more one after the other, and those for alias and name
+}
+
 TEST_CASE("a bus finds its slaves and identifies them") {
     bench b;
     CHECK(b.bus->slaves().empty());

@@ -91,6 +91,26 @@ inline void identify(bus_slave& slave, const ethercat::slave_record& record) noe
     slave.is_identified = true;
 }
 
+/// Slaves that are to be brought up at once.
+class bring_ups {
+  public:
+    void add(std::uint16_t position, std::uint16_t station) {
+        places_.emplace_back(ethercat::bring_up{.position = position, .station = station});
+    }
+    [[nodiscard]] bool empty() const noexcept { return places_.empty(); }
+    [[nodiscard]] bool start(ethercat::master& master) {
+        return master.start(ethercat::bring_up_all{places_}).has_value();
+    }
+    /// Why it is not; ok if it is, or was not among them.
+    [[nodiscard]] ethercat::master_error error_at(std::uint16_t position) const noexcept {
+        const auto found = std::ranges::find(places_, position, [](const auto& each) { return each.slave.position; });
+        return found == places_.end() ? ethercat::master_error{} : found->error;
+    }
+
+  private:
+    std::vector<ethercat::bring_up_place> places_{};
+};
+
 /// Brings a slave up and reads its alias and its name.
 class slave_identification {
   public:
@@ -102,6 +122,14 @@ class slave_identification {
         found.info.station = station;
     }
 
+    /// Of one that was brought up with others, with this outcome.
+    slave_identification(std::uint16_t position, std::uint16_t station, const ethercat::master& master,
+                         const ethercat::master_error& why)
+        : slave_identification{position, station, {}} {
+        error = error_of(why);
+        step_ = error ? step::done : step::alias;
+        if (const auto* const record = master.find(station); record != nullptr && !error) take(*record);
+    }
     /// Of one that is in PRE-OP or higher already.
     explicit slave_identification(const bus_slave& known) : found{known}, step_{step::alias} {}
 
@@ -177,6 +205,12 @@ class start_job final : public bus_job {
                                                    type_})
                 .has_value();
         if (!is_counted_) return master.start(ethercat::scan{}).has_value();
+        if (!is_brought_up_ && new_.empty())
+            for (std::uint16_t i = 0; i != count_; ++i)
+                if (const auto* const known = bus.at_position(i); known == nullptr || !known->info.is_served)
+                    new_.add(i, station_at(i));
+        if (!is_brought_up_ && !new_.empty()) return new_.start(master);
+        is_brought_up_ = true;
         for (;;) {
             if (is_identifying_ && one_.begin(bus, master)) return true;
             if (std::exchange(is_identifying_, false)) keep(bus);
@@ -184,7 +218,7 @@ class start_job final : public bus_job {
             const auto position = static_cast<std::uint16_t>(found_.size());
             const auto* const known = bus.at_position(position);
             if (known == nullptr || !known->info.is_served)
-                one_ = {position, static_cast<std::uint16_t>(bus_state::first_station + position), {}};
+                one_ = {position, station_at(position), master, new_.error_at(position)};
             else if (known->is_identified && !known->info.is_lost)
                 one_ = slave_identification{*known};
             else { // it is brought up by its bridge
@@ -199,14 +233,18 @@ class start_job final : public bus_job {
         return false;
     }
     void end(bus_state& bus, ethercat::master& master) override {
-        if (is_counted_) return one_.end(bus, master);
-        is_counted_ = true;
+        if (is_brought_up_) return one_.end(bus, master);
         if (const auto error = error_of(master.error())) return fail(error);
+        if (is_counted_) {
+            is_brought_up_ = true;
+            return;
+        }
+        is_counted_ = true;
         const std::size_t counted = is_serving_ ? master.result<ethercat::exchange_datagram>().value_or(0)
                                                 : master.result<ethercat::scan>().value_or(0);
         if (counted == 0) return fail(bus_errc::no_slaves);
         if (counted > bus_state::max_slaves) return fail(bus_errc::too_many_slaves);
-        count_ = counted;
+        count_ = static_cast<std::uint16_t>(counted);
     }
     [[nodiscard]] bool is_over() const override { return done_->is_done(); }
     void fail(error_code why) override { done_->complete(why); }
@@ -223,10 +261,15 @@ class start_job final : public bus_job {
         found_.push_back(std::move(found));
     }
 
+    [[nodiscard]] static std::uint16_t station_at(std::uint16_t position) noexcept {
+        return static_cast<std::uint16_t>(bus_state::first_station + position);
+    }
+
     operation_ptr<> done_;
-    bool is_serving_{}, is_counted_{};
+    bool is_serving_{}, is_counted_{}, is_brought_up_{};
     std::array<std::byte, 1> type_{};
-    std::size_t count_{};
+    std::uint16_t count_{};
+    bring_ups new_{};
     bool is_identifying_{};
     slave_identification one_{};
     std::vector<bus_slave> found_{};
@@ -253,13 +296,17 @@ class find_job final : public bus_job {
                 return master.start(ethercat::scan{}).has_value();
             case step::locate: return master.start(ethercat::locate_slaves{unknown_}).has_value();
             case step::bring_up:
+                if (!ups_.empty()) return ups_.start(master);
+                step_ = step::name;
+                break;
+            case step::name:
                 if (is_identifying_ && one_.begin(bus, master)) return true;
                 if (std::exchange(is_identifying_, false)) keep(bus);
                 if (next_ == new_.size()) {
                     step_ = step::identify;
                     break;
                 }
-                one_ = {new_[next_].first, new_[next_].second, {}};
+                one_ = {new_[next_].first, new_[next_].second, master, ups_.error_at(new_[next_].first)};
                 is_identifying_ = true;
                 ++next_;
                 break;
@@ -306,7 +353,11 @@ class find_job final : public bus_job {
             step_ = step::locate;
             return;
         case step::locate: return located(bus, master, error);
-        case step::bring_up: return one_.end(bus, master);
+        case step::bring_up:
+            if (error) return fail(error);
+            step_ = step::name;
+            return;
+        case step::name: return one_.end(bus, master);
         case step::identify:
             for (const auto& each : places_)
                 if (auto* const slave = bus.at(each.station)) {
@@ -327,7 +378,7 @@ class find_job final : public bus_job {
     }
 
   private:
-    enum class step : std::uint8_t { clear, locate, bring_up, identify, prepare, done };
+    enum class step : std::uint8_t { clear, locate, bring_up, name, identify, prepare, done };
 
     void located(bus_state& bus, const ethercat::master& master, error_code error) {
         if (error) return fail(error);
@@ -335,6 +386,7 @@ class find_job final : public bus_job {
         if (what_ != scope::changes && found.slaves == 0) return fail(bus_errc::no_slaves);
         if (found.slaves > bus_state::max_slaves) return fail(bus_errc::too_many_slaves);
         new_ = bus.note_positions(master, found.unknown);
+        for (const auto& [position, station] : new_) ups_.add(position, station);
         step_ = step::bring_up;
     }
     void keep(bus_state& bus) {
@@ -363,6 +415,7 @@ class find_job final : public bus_job {
     step step_{};
     std::array<std::uint16_t, bus_state::max_slaves> unknown_{};
     std::vector<std::pair<std::uint16_t, std::uint16_t>> new_{}; ///< positions, and the station addresses that they get
+    bring_ups ups_{};
     std::size_t next_{};
     bool is_identifying_{};
     slave_identification one_{};
