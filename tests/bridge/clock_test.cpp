@@ -98,6 +98,18 @@ TEST_CASE("a slave that was switched off and on gets its clock back while the ot
     CHECK(r.bus.clocks()->control().is_locked());
 }
 
+TEST_CASE("the cycles follow the reference clock anew when their period changes") {
+    clock_rig bench{3};
+    auto& r = bench.r;
+    r.run_until_ready();
+    r.options.period = 5ms;
+    r.bus.apply_options();
+    CHECK_FALSE(r.bus.clocks()->control().is_locked());
+    r.run_until([&] { return r.bus.clocks()->control().is_locked(); });
+    CHECK(bench.spread() < 100);
+    CHECK(r.watcher.lost == 0);
+}
+
 TEST_CASE("slaves with SYNC signals come later, and the others go on") {
     clock_rig bench{6};
     auto& r = bench.r;

@@ -87,6 +87,7 @@ class ring {
         config.logical_base = logical_base_;
         master_.set_config(config);
         for (message_lane& each : lanes_) each.master().set_config(config);
+        clocks_.set_period(options_.period);
     }
 
     /// Jobs of others. Those that reset slaves of this ring (scan, bring_up, change_state) end their work as a loss
@@ -239,6 +240,12 @@ class ring {
 
     [[nodiscard]] std::span<place> places() noexcept { return memory_.first(place_count_); }
     [[nodiscard]] std::span<const place> places() const noexcept { return memory_.first(place_count_); }
+    // Nullptr: the slave is none of this ring.
+    [[nodiscard]] place* place_of(std::uint16_t station) const noexcept {
+        const auto all = memory_.first(place_count_);
+        const auto found = std::ranges::find(all, station, [](const place& each) { return each.front->station(); });
+        return found == all.end() ? nullptr : &*found;
+    }
     [[nodiscard]] bool cycles() const noexcept { return exchanged_ != 0 || clocks_.runs(); }
     [[nodiscard]] bool is_periodic() const noexcept { return has_process_data_ || clocks_.runs(); }
     [[nodiscard]] duration interval() const noexcept {
@@ -305,8 +312,10 @@ class ring {
         return true;
     }
     void end_shared() {
-        if (master_.result<ethercat::scan>().value_or(0) != 0) is_cleared_ = true;
-        clocks_.leave_out_none();
+        const bool has_scanned = master_.result<ethercat::scan>().value_or(0) != 0;
+        if (has_scanned) is_cleared_ = true;
+        if (has_scanned || master_.result<ethercat::bring_up>() || master_.result<ethercat::bring_up_all>())
+            clocks_.leave_out_none();
         shared_.done(master_);
     }
 
@@ -355,18 +364,16 @@ class ring {
     }
     // The clocks that are in use go on, and so does their time.
     bool begin_clocks(place& at, time_point now) {
-        const auto place_of = [this](const ethercat::slave_record& slave) {
-            return std::ranges::find(places(), slave.station, [](const place& each) { return each.front->station(); });
-        };
         clocks_.choose(
             master_.slaves(),
-            [&](const auto& slave) {
-                const auto found = place_of(slave);
-                return found == places().end() || found->at != phase::absent;
+            [this](const ethercat::slave_record& slave) {
+                const auto* const found = place_of(slave.station);
+                return slave.position != ethercat::slave_record::no_position &&
+                       (found == nullptr || found->at != phase::absent);
             },
-            [&](const auto& slave) {
-                const auto found = place_of(slave);
-                return found != places().end() && found->clock_is_set && has_sync(*found);
+            [this](const ethercat::slave_record& slave) {
+                const auto* const found = place_of(slave.station);
+                return found != nullptr && found->clock_is_set && has_sync(*found);
             });
         // Looks at each clock decide, while the cycles bring the reference time.
         auto how = options_.clocks;
@@ -412,9 +419,8 @@ class ring {
         return is_of_one && error.station != 0 && error.station != at.front->station();
     }
     void leave_out(const ethercat::master_error& error, time_point now, jaus::message_sink out) {
-        const auto found =
-            std::ranges::find(places(), error.station, [](const place& each) { return each.front->station(); });
-        if (found == places().end()) return clocks_.leave_out(error.station);
+        place* const found = place_of(error.station);
+        if (found == nullptr) return clocks_.leave_out(error.station);
         found->bring_up = error;
         lose(*found, loss::no_station, error, now, out);
     }
@@ -446,10 +452,8 @@ class ring {
     bool begin_sync(place& at, time_point now) {
         for (auto& clock : clocks_.records()) {
             clock.sync = {};
-            const auto found = std::ranges::find_if(places(), [&](const place& each) {
-                return each.front->station() == clock.station && each.at == phase::has_clock && is_in_time(each);
-            });
-            if (found == places().end()) continue;
+            const auto* const found = place_of(clock.station);
+            if (found == nullptr || found->at != phase::has_clock || !is_in_time(*found)) continue;
             clock.sync = found->front->options().sync;
             if (clock.sync.sync0_cycle == 0)
                 clock.sync.sync0_cycle = static_cast<std::uint32_t>(options_.period.count());

@@ -52,12 +52,19 @@ class ring_clocks {
     void use(const ethercat::clock_network& network, std::uint64_t system_time, duration period) noexcept {
         std::ranges::copy(chosen(), used_.begin());
         used_count_ = next_count_;
+        network_ = network;
         if (cycle_ && std::ranges::any_of(records(), &ethercat::clock_record::runs))
-            cycle_->set_slaves(records(), network);
+            cycle_->set_slaves(records(), network_);
         else
-            cycle_.emplace(
-                records(), network, system_time,
-                ethercat::clock_watch_options{.control = ethercat::cycle_control_options::of_period(period)});
+            begin(system_time, period);
+    }
+    /// The cycles have another period: they follow the reference clock anew. 0: there are none.
+    void set_period(duration period) noexcept {
+        if (!cycle_ || period == period_) return;
+        if (period == duration{}) return stop();
+        const auto reference = cycle_->reference();
+        begin(cycle_->reference_time(), period);
+        cycle_->set_reference(reference);
     }
     /// They could not be set up.
     void leave_out(std::uint16_t station) noexcept {
@@ -77,10 +84,8 @@ class ring_clocks {
     }
     /// The slave is lost: its time is no reference any more, also where it returns before that was noticed.
     void lost(std::uint16_t station) noexcept {
-        if (!cycle_ || cycle_->is_lost() || records()[cycle_->reference()].station != station) return;
-        std::size_t place = cycle_->reference() + 1;
-        while (place != records().size() && !records()[place].has_clock()) ++place;
-        cycle_->set_reference(place);
+        if (cycle_ && !cycle_->is_lost() && records()[cycle_->reference()].station == station)
+            cycle_->replace_reference();
     }
 
     void begin_cycle() noexcept { is_due_ = runs(); }
@@ -93,6 +98,11 @@ class ring_clocks {
     duration end_cycle() noexcept { return cycle_ ? cycle_->end_cycle() : duration{}; }
 
   private:
+    void begin(std::uint64_t system_time, duration period) noexcept {
+        period_ = period;
+        cycle_.emplace(records(), network_, system_time,
+                       ethercat::clock_watch_options{.control = ethercat::cycle_control_options::of_period(period)});
+    }
     [[nodiscard]] bool is_left_out(std::uint16_t station) const noexcept {
         return std::ranges::find(left_out_, station) != left_out_.end();
     }
@@ -101,6 +111,8 @@ class ring_clocks {
     std::size_t used_count_{}, next_count_{};
     std::array<std::uint16_t, 8> left_out_{};
     std::size_t left_out_count_{};
+    ethercat::clock_network network_{};
+    duration period_{};
     std::optional<ethercat::clock_cycle> cycle_{};
     bool is_due_{};
 };

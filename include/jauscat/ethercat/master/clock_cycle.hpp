@@ -120,6 +120,13 @@ class clock_cycle {
         reference_ = place;
         silent_ = 0;
     }
+    /// The next slave with a clock takes the place of the reference clock, which there is.
+    void replace_reference() noexcept {
+        silent_ = 0;
+        ++reference_;
+        while (reference_ != slaves_.size() && !slaves_[reference_].has_clock()) ++reference_;
+        if (!is_lost()) ++statistics_.takeovers;
+    }
     /// No slave is left whose clock could be the reference: switch SYNC off, or leave OP.
     [[nodiscard]] bool is_lost() const noexcept { return reference_ == slaves_.size(); }
     /// As many slaves have taken the time as when the clocks were set up.
@@ -162,11 +169,7 @@ class clock_cycle {
     // Another clock reads as the lost one's time, because its delay from there is subtracted: its slaves' delays stay.
     void silent() noexcept {
         ++statistics_.unanswered;
-        if (++silent_ < options_.silent_cycles) return;
-        silent_ = 0;
-        ++reference_;
-        while (reference_ != slaves_.size() && !slaves_[reference_].has_clock()) ++reference_;
-        if (!is_lost()) ++statistics_.takeovers;
+        if (++silent_ >= options_.silent_cycles) replace_reference();
     }
 
     std::span<const clock_record> slaves_;
