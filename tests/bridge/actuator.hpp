@@ -150,7 +150,11 @@ class emulated_actuator {
     static constexpr std::array objects{
         jauscat::bridging::object_list<actuator::table, 33, jaus::set_wrench_effort, jaus::query_wrench_effort,
                                        jaus::report_wrench_effort, jaus::set_emergency, jaus::clear_emergency,
-                                       jaus::set_travel_speed, jaus::report_heartbeat_pulse>::description};
+                                       jaus::set_travel_speed, jaus::set_end_effector_path_motion,
+                                       jaus::report_heartbeat_pulse>::description,
+        jauscat::bridging::object_list<actuator::table, 34, jaus::set_wrench_effort, jaus::set_emergency,
+                                       jaus::clear_emergency, jaus::set_travel_speed,
+                                       jaus::set_end_effector_path_motion>::description};
 
     /// Its alias is 100 more than the station address.
     emulated_actuator(std::uint8_t subsystem, std::uint16_t station,

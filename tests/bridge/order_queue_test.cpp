@@ -57,6 +57,17 @@ TEST_CASE("a full queue, and a body that exceeds its place, are refused") {
     CHECK(queue.push(order_of(2, 3), small, nobody) == bridging::queued::full);
 }
 
+TEST_CASE("places that are reserved for others stay free") {
+    bridging::order_memory<3, 8> memory;
+    bridging::order_queue queue{memory};
+    const std::array<std::byte, 8> body{};
+    CHECK(queue.push(order_of(2, 1), body, nobody, 2) == bridging::queued::last);
+    CHECK(queue.push(order_of(2, 2), body, nobody, 2) == bridging::queued::full);
+    CHECK(queue.push(order_of(2, 2), body, nobody, 1) == bridging::queued::last);
+    CHECK(queue.push(order_of(2, 3), body, nobody) == bridging::queued::last);
+    CHECK(queue.size() == 3);
+}
+
 TEST_CASE("a newer command of the same sender replaces the older one and keeps its other fields") {
     bridging::order_memory<4, 64> memory;
     bridging::order_queue queue{memory};

@@ -106,6 +106,13 @@ class rig {
     static jaus::address unit_address(std::size_t i) {
         return {.instance = 1, .component = 33, .node = static_cast<std::uint8_t>(2 + i), .subsystem = 2};
     }
+    /// One more component in front of a slave. Its index.
+    std::size_t add_unit(std::size_t slave, std::uint8_t component) {
+        auto address = unit_address(slave);
+        address.component = component;
+        units.emplace_back(address, fronts[slave], core_options);
+        return units.size() - 1;
+    }
     bridging::component& unit(std::size_t i = 0) { return units[i]; }
     actuator& motor(std::size_t i = 0) { return actuators[i].behind; }
 
@@ -143,10 +150,10 @@ class rig {
                 const jaus::address& source = operator_unit) {
         const jaus::header head{.ack_nak = ack,
                                 .command_code = jaus::command_code_of<T>,
-                                .destination = unit_address(to),
+                                .destination = units[to].self(),
                                 .source = source,
                                 .sequence_number = number};
-        std::array<std::byte, 256> buffer{};
+        std::array<std::byte, 1532> buffer{};
         const auto encoded = jauscat::wire::encode(body, buffer);
         REQUIRE(encoded);
         last_outcome = units[to].on_message(
@@ -263,7 +270,7 @@ class rig {
     sink sink_{*this};
     jaus::message_sink out_{sink_};
     std::deque<flight> flights_{};
-    std::deque<bridging::order_memory<16, 256>> memories_{};
+    std::deque<bridging::order_memory<16, 1532>> memories_{};
     std::uint16_t number_{100};
 };
 

@@ -202,13 +202,24 @@ class component {
             return jaus::message_outcome::unhandled;
         if (!is_up()) return refuse(refusal::slave_down);
         const order message{.header = head, .unit = this, .expires = deadline{now, front_.timing().order_timeout}};
-        switch (front_.orders().push(message, body, [&](const jaus::header& older) {
+        const auto superseded = [&](const jaus::header& older) {
             on_not_executed(older, {.why = refusal::superseded}, now, out);
-        })) {
+        };
+        switch (front_.orders().push(message, body, superseded, places_of_others())) {
         case queued::full: return refuse(refusal::queue_full);
         case queued::too_large: return refuse(refusal::too_large);
         default: front_.wake(); return jaus::message_outcome::deferred;
         }
+    }
+
+    // In the queue of the slave: one for each other component that has no message there. The first message of a
+    // component takes the place that the others have left.
+    [[nodiscard]] std::size_t places_of_others() const noexcept {
+        const auto& orders = front_.orders();
+        if (!orders.has_one_of(*this)) return 0;
+        return static_cast<std::size_t>(std::ranges::count_if(front_.components(), [&](const component* each) {
+            return &each->front_ == &front_ && !orders.has_one_of(*each);
+        }));
     }
 
     // The core has obeyed a command that changes its state: acknowledged when the actuator has, too.

@@ -39,7 +39,7 @@ template <std::size_t Orders = 16, std::size_t Size = 1532> struct order_memory 
 enum class queued : std::uint8_t {
     last,      ///< behind all others
     merged,    ///< merged into an older command of the same sender and code, which it replaces
-    full,      ///< not queued: no free place
+    full,      ///< not queued: no free place, or only reserved ones
     too_large, ///< not queued: the body does not fit a place
 };
 
@@ -54,8 +54,8 @@ class order_queue {
         : orders_{memory.orders}, bodies_{memory.bodies} {}
 
     /// Queues a message. Where it supersedes a waiting command of the same sender, `superseded(const header&)` gets the
-    /// older one's header; fields that only the older one carries are kept.
-    [[nodiscard]] constexpr queued push(const order& message, bytes body, auto&& superseded) {
+    /// older one's header; fields that only the older one carries are kept. `reserved` places stay free for others.
+    [[nodiscard]] constexpr queued push(const order& message, bytes body, auto&& superseded, std::size_t reserved = 0) {
         if (body.size() > share()) return queued::too_large;
         if (order* const older = superseded_by(message)) {
             const auto place = body_place(*older);
@@ -69,7 +69,7 @@ class order_queue {
             }
         }
         const auto free = std::ranges::find(orders_, std::uint64_t{}, &order::number);
-        if (free == orders_.end()) return queued::full;
+        if (free == orders_.end() || orders_.size() - size() <= reserved) return queued::full;
         *free = message;
         free->size = static_cast<std::uint16_t>(body.size());
         free->number = ++last_number_;
@@ -102,6 +102,9 @@ class order_queue {
     [[nodiscard]] constexpr std::optional<time_point> next_expiry() const noexcept {
         const order* const found = earliest();
         return found == nullptr ? std::nullopt : std::optional{found->expires.at()};
+    }
+    [[nodiscard]] constexpr bool has_one_of(const component& unit) const noexcept {
+        return std::ranges::any_of(orders_, [&](const order& each) { return each.number != 0 && each.unit == &unit; });
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept {
         return static_cast<std::size_t>(

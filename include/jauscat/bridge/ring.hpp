@@ -277,7 +277,12 @@ class ring {
         refuse_expired(now, out);
         use_process_data(now, out);
         stop_what_hinders(now);
-        while ((master_.idle() && advance(now, out)) || carry(now, out)) {}
+        // By turns: a message for a slave goes between two jobs of others for it.
+        bool is_changed = true;
+        while (is_changed) {
+            is_changed = master_.idle() && advance(now, out);
+            is_changed = carry(now, out) || is_changed;
+        }
     }
     // All of them send frames to this link.
     bool take(bytes frame, time_point now) {
@@ -708,9 +713,22 @@ class ring {
     [[nodiscard]] static bool may_go_by_mailbox(const order& each) {
         return !is_held_back(each) && !goes_by_process_data(each);
     }
+    // Round robin: no component waits for more than one message of each of the others.
+    [[nodiscard]] static const order* next_order(place& at) {
+        const auto units = at.front->components();
+        for (std::size_t i = 0; i != units.size(); ++i) {
+            const auto turn = (at.last_unit + 1 + i) % units.size();
+            const order* const found = at.front->orders().first(
+                [&](const order& each) { return each.unit == units[turn] && may_go_by_mailbox(each); });
+            if (found == nullptr) continue;
+            at.last_unit = turn;
+            return found;
+        }
+        return nullptr;
+    }
     bool begin_order(place& at, message_lane& lane) {
         auto& orders = at.front->orders();
-        const order* const next = orders.first(may_go_by_mailbox);
+        const order* const next = next_order(at);
         if (next == nullptr) return false;
         const order taken = *next;
         jaus::header head = taken.header;

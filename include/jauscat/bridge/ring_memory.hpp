@@ -43,6 +43,7 @@ struct ring_place {
     unsigned good_looks{}; // in a row
     bool takes_keep_alive{true};
     bool has_reply{};
+    std::size_t last_unit{};               // of its components: whose message was carried last
     std::optional<time_point> looked_at{}; // the frame that said so
     std::size_t start_up_object{};         // the next one in PRE-OP
     enum class start_up_step : std::uint8_t { read, write, verify } start_up{};
