@@ -1,4 +1,5 @@
 // A bus of emulated EtherCAT slaves behind a network interface or UDP, for masters to be tried against.
+#include "arrival_time.hpp"
 #include "stored_objects.hpp"
 #include "support/link_options.hpp"
 #include "support/say.hpp"
@@ -14,11 +15,8 @@
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/value.hpp>
 
-#include <ctime>
 #include <deque>
-#include <linux/sockios.h>
 #include <map>
-#include <sys/ioctl.h>
 
 namespace {
 
@@ -222,17 +220,6 @@ class node {
     ethercat::al_status status_{.state = ethercat::al_state::init};
 };
 
-/// When the frame arrived that was received last. The kernel has noted it: this program may have been woken up later.
-jauscat::time_point arrival_at(int socket) {
-    timespec noted{}, real{};
-    const auto now = jauscat::net::now();
-    ::clock_gettime(CLOCK_REALTIME, &real);
-    if (::ioctl(socket, SIOCGSTAMPNS_OLD, &noted) != 0) return now; // the first call switches it on
-    const auto since =
-        std::chrono::seconds{real.tv_sec - noted.tv_sec} + std::chrono::nanoseconds{real.tv_nsec - noted.tv_nsec};
-    return now - std::clamp<jauscat::duration>(since, jauscat::duration{}, std::chrono::seconds{1});
-}
-
 int serve(jauscat::net::any_link& link, const std::string& where, std::deque<node>& nodes,
           std::chrono::nanoseconds cable) {
     std::vector<ethercat::wired_slave> wires;
@@ -247,12 +234,12 @@ int serve(jauscat::net::any_link& link, const std::string& where, std::deque<nod
     const example::speaker say{"emulated_bus"};
     std::string problem;
     std::uint64_t frames = 0;
-    static_cast<void>(arrival_at(link.native_handle()));
+    static_cast<void>(arrival_time(link.native_handle()));
     bool is_idle = true;
     while (!example::stop_requested) {
         // Frames that wait came before now: the slaves' time does not pass them.
         const auto size = link.receive(frame, is_idle ? std::chrono::milliseconds{20} : std::chrono::milliseconds{});
-        const auto at = size != 0 ? arrival_at(link.native_handle()) : jauscat::net::now();
+        const auto at = size != 0 ? arrival_time(link.native_handle()) : jauscat::net::now();
         is_idle = size == 0;
         if (size != 0) {
             ++frames;

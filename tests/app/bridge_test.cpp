@@ -1,4 +1,5 @@
 // A bridge between an operator's node and actuators behind EtherCAT in UDP, all in this program.
+#include "../../tools/arrival_time.hpp"
 #include "bridge/actuator.hpp"
 #include "bridge/joint_part.hpp"
 #include "support/catch.hpp"
@@ -8,6 +9,7 @@
 #include <jauscat/app/component.hpp>
 #include <jauscat/app/own_table.hpp>
 #include <jauscat/bridge/observer.hpp>
+#include <jauscat/ethercat/slave/slave_tree.hpp>
 #include <jauscat/net/link/udp_link.hpp>
 #include <jauscat/net/now.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
@@ -41,11 +43,13 @@ namespace {
 /// Actuators of the nodes 2.2, 2.3, ... in one ring, in a thread.
 class actuator_ring {
   public:
-    explicit actuator_ring(std::size_t count) {
+    explicit actuator_ring(std::size_t count, ethercat::clock_width clock = ethercat::clock_width::no_clock)
+        : has_clocks_{clock != ethercat::clock_width::no_clock} {
         for (std::size_t i = 0; i != count; ++i) {
-            all_.emplace_back(std::uint8_t{2}, static_cast<std::uint16_t>(2 + i));
+            all_.emplace_back(std::uint8_t{2}, static_cast<std::uint16_t>(2 + i), clock);
             order_.push_back(i);
         }
+        static_cast<void>(arrival_time(link_.native_handle()));
         thread_ = std::thread{[this] { serve(); }};
     }
     ~actuator_ring() {
@@ -66,6 +70,13 @@ class actuator_ring {
         const std::lock_guard lock{mutex_};
         return f(all_.at(i));
     }
+    /// How far the system times of the first two are apart, in ns.
+    [[nodiscard]] std::int64_t spread() {
+        const std::lock_guard lock{mutex_};
+        const auto now = jauscat::net::now();
+        return std::abs(
+            static_cast<std::int64_t>(all_[0].slave.clock().system_time(now) - all_[1].slave.clock().system_time(now)));
+    }
     [[nodiscard]] double effort(std::size_t i = 0) {
         return with(i, [](auto& each) { return each.behind.effort; });
     }
@@ -74,16 +85,32 @@ class actuator_ring {
     void serve() {
         std::array<std::byte, ethercat::max_frame_size> buffer{};
         while (!stop_) {
-            const auto size = link_.receive(buffer, 2ms);
+            const auto size = link_.receive(buffer, is_idle_ ? 2ms : 0ms);
+            const auto at = size != 0 ? arrival_time(link_.native_handle()) : jauscat::net::now();
+            is_idle_ = size == 0;
             const std::lock_guard lock{mutex_};
             const auto frame = std::span{buffer}.first(size);
-            if (size != 0)
-                for (const auto i : order_) all_[i].pass(frame, jauscat::net::now());
-            for (auto& each : all_) each.work(jauscat::net::now());
+            if (size != 0) pass(frame, at);
+            for (auto& each : all_) {
+                each.slave.pass_time(at);
+                each.work(jauscat::net::now());
+            }
             if (is_garbage)
                 for (auto& byte : frame.subspan(std::min<std::size_t>(size, 16))) byte ^= std::byte{0x5A};
             if (size != 0 && !is_silent) static_cast<void>(link_.send(frame));
         }
+    }
+
+    void pass(std::span<std::byte> frame, jauscat::time_point at) {
+        if (!has_clocks_) {
+            for (const auto i : order_) all_[i].pass(frame, jauscat::net::now());
+            return;
+        }
+        std::vector<ethercat::wired_slave> wires;
+        for (const auto i : order_)
+            wires.push_back(
+                {.device = &all_[i].slave, .parent = std::max(wires.size(), std::size_t{1}) - 1, .cable = 200ns});
+        ethercat::slave_tree{wires, 300ns}.pass(frame, at);
     }
 
     jauscat::net::udp_link link_{jauscat::net::udp_link::serve(0, "127.0.0.1")};
@@ -91,6 +118,7 @@ class actuator_ring {
     std::mutex mutex_{};
     std::deque<test::emulated_actuator> all_{};
     std::vector<std::size_t> order_{};
+    bool has_clocks_{}, is_idle_{true};
     std::atomic<bool> stop_{};
     std::thread thread_{};
 };
@@ -129,8 +157,9 @@ constexpr jaus::address leg{.instance = 1, .component = 33, .node = 3, .subsyste
 
 /// A ring, a bus, the nodes of operator and arm in one io_context.
 struct bench {
-    explicit bench(std::size_t slaves = 1, const jauscat::bus_options& bus_options = {.frame_timeout = 5ms})
-        : ring{slaves} {
+    explicit bench(std::size_t slaves = 1, const jauscat::bus_options& bus_options = {.frame_timeout = 5ms},
+                   ethercat::clock_width clock = ethercat::clock_width::no_clock)
+        : ring{slaves, clock} {
         auto options = bus_options;
         options.log = [this](std::string_view line) { lines.emplace_back(line); };
         bus.emplace(context, ring.where(), options);
@@ -477,6 +506,42 @@ TEST_CASE("in cycles an effort goes by process data") {
     REQUIRE(b.drive(40));
     b.robot->stop();
     CHECK(b.ring.effort() == 0);
+}
+
+TEST_CASE("in cycles with SYNC signals the components of a bridge are ready in OP, and at rest at the end") {
+    const bool thread = GENERATE(false, true);
+    jauscat::net::slave_entry first{.name = "shoulder", .position = 0}, second{.name = "elbow", .position = 1};
+    first.sync.emplace();
+    second.sync.emplace().shift = 100'000;
+    bench b{2, {.slaves = {first, second}, .frame_timeout = 5ms, .thread = thread}, ethercat::clock_width::bits_64};
+    b.ring.with(0, [](auto& each) { each.slave.set_clock_error({.drift = 80'000, .start = 1'000'000'000}); });
+    b.ring.with(1, [](auto& each) { each.slave.set_clock_error({.drift = -60'000, .start = 7'000'000'000}); });
+    b.serve({.name = "shoulder"}, {.at_rest_within = 2s, .period = 5ms});
+    b.bridge->serve({.component = 33, .instance = 2}, b.bus->slave({.name = "elbow"}));
+    b.start();
+    jaus::address second_unit = arm;
+    second_unit.instance = 2;
+    REQUIRE(b.until([&] { return b.up == 2; }));
+    REQUIRE(b.drive(40));
+    REQUIRE(b.drive(60, 1, second_unit));
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+        const auto before = b.ring.with(i, [](auto& each) {
+            CHECK(each.slave.state() == ethercat::al_state::op);
+            CHECK(each.slave.clock().activation().on);
+            CHECK(each.slave.clock().activation().sync0);
+            CHECK(each.slave.synchronization().sync0_cycle == 5'000'000);
+            return each.slave.sync0_count();
+        });
+        REQUIRE(
+            b.until([&] { return b.ring.with(i, [](auto& each) { return each.slave.sync0_count(); }) > before + 20; }));
+    }
+    CHECK(b.ring.spread() < 1'000);
+    b.robot->stop();
+    CHECK(b.ring.effort(0) == 0);
+    CHECK(b.ring.effort(1) == 0);
+    for (const auto& line : b.lines) UNSCOPED_INFO(line);
+    CHECK(b.lost.empty());
+    CHECK_FALSE(b.has_line("the distributed clocks differ"));
 }
 
 TEST_CASE("a component has a process image by tables of the application's") {

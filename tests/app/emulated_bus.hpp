@@ -2,11 +2,13 @@
 // to fail.
 #pragma once
 
+#include "../../tools/arrival_time.hpp"
 #include "ethercat/described_objects.hpp"
 #include "ethercat/objects.hpp"
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/ethercat/link.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
+#include <jauscat/ethercat/slave/slave_tree.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/link/any_link.hpp>
 #include <jauscat/net/link/udp_link.hpp>
@@ -52,7 +54,7 @@ struct emulated_slave {
     std::optional<std::uint8_t> mail{}; ///< an emergency of this error register waits
 };
 
-/// Runs until it is destroyed. Change slaves by `with` alone.
+/// Runs until it is destroyed. Change slaves by `with` alone. Slaves with distributed clocks see cables of 200 ns.
 class emulated_bus {
   public:
     using bytes = std::vector<std::byte>;
@@ -110,25 +112,43 @@ class emulated_bus {
             slaves_.emplace_back(each, are_described);
         }
         reach_ = slaves_.size();
+        static_cast<void>(arrival_time(link_->native_handle()));
         thread_ = std::thread{[this] { serve(); }};
     }
     void serve() {
         std::array<std::byte, ethercat::max_frame_size> buffer{};
         while (!stop_) {
-            const auto size = link_->receive(buffer, std::chrono::milliseconds{5});
+            // Frames that wait came before now: the slaves' clocks do not pass them.
+            const auto size = link_->receive(buffer, std::chrono::milliseconds{is_idle_ ? 5 : 0});
+            const auto at = size != 0 ? arrival_time(link_->native_handle()) : net::now();
+            is_idle_ = size == 0;
             const std::lock_guard lock{mutex_};
             if (size != 0) {
                 ++frames_;
-                pass(std::span{buffer}.first(size));
+                pass(std::span{buffer}.first(size), at);
             }
-            for (auto& each : slaves_) each.device.on_time(net::now());
+            for (auto& each : slaves_) {
+                each.device.pass_time(at);
+                each.device.on_time(net::now());
+            }
         }
     }
-    void pass(std::span<std::byte> frame) {
+    void pass(std::span<std::byte> frame, time_point at) {
         const std::size_t reached = reach_;
+        const bool have_clocks = std::ranges::any_of(slaves_, [](const emulated_slave& each) {
+            return each.description.clock != ethercat::clock_width::no_clock;
+        });
+        if (have_clocks) {
+            std::vector<ethercat::wired_slave> wires;
+            for (std::size_t i = 0; i != reached; ++i)
+                wires.push_back({.device = &slaves_[order_[i]].device,
+                                 .parent = i == 0 ? 0 : i - 1,
+                                 .cable = std::chrono::nanoseconds{200}});
+            ethercat::slave_tree{wires, std::chrono::nanoseconds{300}}.pass(frame, at);
+        }
         for (std::size_t i = 0; i != reached; ++i) {
             auto& each = slaves_[order_[i]];
-            each.device.pass(frame);
+            if (!have_clocks) each.device.pass(frame);
             if (each.works) each.device.work();
             if (each.works && each.application) each.application(each.device);
             if (each.mail) put_mail(each, frame);
@@ -169,6 +189,7 @@ class emulated_bus {
     std::atomic<std::size_t> reach_{};
     std::atomic<unsigned> frames_{};
     std::atomic<bool> stop_{};
+    bool is_idle_{true};
     std::thread thread_{};
 };
 

@@ -4,6 +4,7 @@
 #include "support/until.hpp"
 #include <jauscat/app/bus.hpp>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <optional>
@@ -27,11 +28,17 @@ constexpr ethercat::pdo_entry actual{.index = 0x6000, .subindex = 1, .bits = 16,
 /// Two drives that repeat their outputs as inputs in OP, and a slave without process data.
 struct bench {
     explicit bench(bool thread = false)
-        : ring{{{.product = 1, .name = "left", .outputs = {&told, 1}, .inputs = {&actual, 1}},
-                {.product = 2, .name = "right", .outputs = {&told, 1}, .inputs = {&actual, 1}},
-                {.product = 3}}} {
-        for (std::size_t i = 0; i != 2; ++i)
+        : bench{thread,
+                {{.product = 1, .name = "left", .outputs = {&told, 1}, .inputs = {&actual, 1}},
+                 {.product = 2, .name = "right", .outputs = {&told, 1}, .inputs = {&actual, 1}},
+                 {.product = 3}}} {
+        REQUIRE_FALSE(start());
+    }
+    /// It is not started.
+    bench(bool thread, const std::vector<ethercat::slave_description>& slaves) : ring{slaves} {
+        for (std::size_t i = 0; i != slaves.size(); ++i)
             ring.with(i, [](auto& each) {
+                if (each.description.outputs.empty()) return;
                 each.application = [](ethercat::slave& device) {
                     device.take_outputs();
                     std::ranges::copy(device.outputs(), device.inputs().begin());
@@ -44,7 +51,9 @@ struct bench {
                                 .log = [this](std::string_view line) { lines.emplace_back(line); }});
         bus->when_lost([this](const slave_info& who, error_code why) { lost.emplace_back(who.position, why); });
         bus->when_found([this](const slave_info& who) { found.push_back(who.position); });
-        REQUIRE_FALSE(outcome([&](auto done) { bus->async_start(done); }));
+    }
+    error_code start() {
+        return outcome([&](auto done) { bus->async_start(done); });
     }
     /// Starts an operation and waits for its outcome.
     error_code outcome(auto start) {
@@ -213,6 +222,66 @@ TEST_CASE("a slave without a clock is not operated with SYNC signals") {
     CHECK(b.operate(left, options) == bus_errc::not_synchronized);
     REQUIRE(b.until([&] { return b.state(0) == ethercat::al_state::pre_op; }));
     REQUIRE_FALSE(b.operate(left));
+}
+
+TEST_CASE("slaves with SYNC signals reach OP in real time, and end at rest") {
+    const bool thread = GENERATE(false, true);
+    ethercat::slave_description drive{.product = 1,
+                                      .outputs = {&told, 1},
+                                      .inputs = {&actual, 1},
+                                      .synchronization = true,
+                                      .clock = ethercat::clock_width::bits_64,
+                                      .needs_sync = true}; // else no SAFE-OP; before the first SYNC0 no OP
+    ethercat::slave_description plain{.product = 3};
+    auto narrow = drive;
+    narrow.clock = ethercat::clock_width::bits_32;
+    bench b{thread, {drive, plain, narrow}};
+    b.ring.with(0, [](auto& each) { each.device.set_clock_error({.drift = 90'000, .start = 1'000'000'000}); });
+    b.ring.with(2, [](auto& each) { each.device.set_clock_error({.drift = -70'000, .start = 3'000'000'000}); });
+    REQUIRE_FALSE(b.start());
+    const std::array drives{b.bus->slave({.position = 0}), b.bus->slave({.position = 2})};
+    b.bus->every_cycle([drives] {
+        for (const auto& each : drives)
+            if (each.is_operating()) each.outputs()[0] = std::byte{42};
+    });
+    operate_options options{.period = 5ms, .watchdog = 2s, .timeout = 1s};
+    options.sync = ethercat::sync_settings{.assign_activate = 0x0300};
+    std::array<std::optional<error_code>, 2> reached{};
+    for (std::size_t i = 0; i != 2; ++i)
+        drives[i].async_operate(options, [&reached, i](error_code why) { reached[i] = why; });
+    REQUIRE(b.until([&] { return reached[0] && reached[1]; }));
+    for (const auto& line : b.lines) UNSCOPED_INFO(line);
+    CHECK_FALSE(*reached[0]);
+    CHECK_FALSE(*reached[1]);
+    for (const std::size_t i : {std::size_t{0}, std::size_t{2}}) {
+        const auto signals = [&] {
+            std::uint64_t count{};
+            b.ring.with(i, [&](auto& each) { count = each.device.sync0_count(); });
+            return count;
+        };
+        CHECK(b.state(i) == ethercat::al_state::op);
+        b.ring.with(i, [](auto& each) {
+            CHECK(each.device.clock().activation().on);
+            CHECK(each.device.clock().activation().sync0);
+            CHECK(each.device.synchronization().type == ethercat::sync_type::sync0);
+            CHECK(each.device.synchronization().sync0_cycle == 5'000'000);
+        });
+        REQUIRE(b.until([&, before = signals()] { return signals() > before + 20; }));
+        REQUIRE(b.until([&] { return b.output(i) == 42; }));
+    }
+    CHECK(b.state(1) == ethercat::al_state::pre_op);
+    std::array<std::uint64_t, 2> times{};
+    const auto now = net::now() + 10ms; // both have the same one
+    b.ring.with(0, [&](auto& each) { times[0] = each.device.clock().system_time(now) & 0xFFFF'FFFF; });
+    b.ring.with(2, [&](auto& each) { times[1] = each.device.clock().system_time(now) & 0xFFFF'FFFF; });
+    CHECK(std::abs(static_cast<std::int32_t>(static_cast<std::uint32_t>(times[0] - times[1]))) < 1'000);
+
+    b.bus->stop();
+    for (const std::size_t i : {std::size_t{0}, std::size_t{2}}) {
+        CHECK(b.output(i) == 0);
+        CHECK(b.state(i) == ethercat::al_state::pre_op);
+    }
+    CHECK(b.lost.empty());
 }
 
 TEST_CASE("an operation that cannot be is refused") {
