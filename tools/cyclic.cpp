@@ -333,15 +333,20 @@ int measure(jauscat::net::any_link& link, const auto& values) {
         clocks.emplace(clock_records.records, clock_records.network, clock_records.time(),
                        ethercat::clock_watch_options{.control = ethercat::cycle_control_options::of_period(period)});
         cycles.set_clocks(&*clocks);
-        wait_for_lock(cycles, *clocks);
     }
-    for (const auto station : stations) { // outputs have to flow while a slave goes to OP
-        const auto give_up_on_stop = [&](const auto&) {
-            if (example::stop_requested) master.cancel(ethercat::master_errc::timeout);
-        };
-        require(cycles.run_job(ethercat::change_state{.station = station, .goal = ethercat::al_state::op}, seconds{10},
-                               nothing, give_up_on_stop),
-                "slave " + std::to_string(station) + " to OP");
+    try {
+        if (clocks) wait_for_lock(cycles, *clocks);
+        for (const auto station : stations) { // outputs have to flow while a slave goes to OP
+            const auto give_up_on_stop = [&](const auto&) {
+                if (example::stop_requested) master.cancel(ethercat::master_errc::timeout);
+            };
+            require(cycles.run_job(ethercat::change_state{.station = station, .goal = ethercat::al_state::op},
+                                   seconds{10}, nothing, give_up_on_stop),
+                    "slave " + std::to_string(station) + " to OP");
+        }
+    } catch (...) {
+        leave_op(link, master, stations);
+        throw;
     }
     example::write_event(example::events::ready, {{"slaves", stations.size()}, {"period_us", period.count()}},
                          "cyclic: " + std::to_string(stations.size()) + " in OP, a cycle every " +

@@ -87,6 +87,11 @@ class emulated_bus {
         order_ = std::move(order);
         reach_ = order_.size();
     }
+    /// Changes each frame that returns.
+    void on_way_back(std::function<void(std::span<std::byte>)> change) {
+        const std::lock_guard lock{mutex_};
+        on_way_back_ = std::move(change);
+    }
     [[nodiscard]] unsigned frames() const noexcept { return frames_; }
 
     void with(std::size_t slave, const std::function<void(emulated_slave&)>& f) {
@@ -153,6 +158,7 @@ class emulated_bus {
             if (each.works && each.application) each.application(each.device);
             if (each.mail) put_mail(each, frame);
         }
+        if (on_way_back_) on_way_back_(frame);
         if (is_garbage)
             for (auto& each : frame.subspan(16)) each ^= std::byte{0x5A};
         if (!is_silent) static_cast<void>(link_->send(frame));
@@ -185,6 +191,7 @@ class emulated_bus {
     std::string where_;
     std::mutex mutex_{};
     std::deque<emulated_slave> slaves_{};
+    std::function<void(std::span<std::byte>)> on_way_back_{};
     std::vector<std::size_t> order_{};
     std::atomic<std::size_t> reach_{};
     std::atomic<unsigned> frames_{};

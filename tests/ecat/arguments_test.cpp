@@ -36,7 +36,7 @@ TEST_CASE("jauscat-ecat says what is wrong with a command line") {
         {"info --link lo --slave 1 --alias 2", "not both"},
         {"scan --link lo --frame-timeout 0", "--frame-timeout must be 1 to 10000"},
         {"state sleeping --link lo", "'sleeping' is no state"},
-        {"state op --link lo", "OP needs a master's cyclic exchange"},
+        {"state sleeping --link lo", "expected init, pre-op, boot, safe-op or op"},
         {"read --link lo", "expected INDEX"},
         {"read 10000000 --link lo", "is no object"},
         {"read 0x1018:300 --link lo", "is no object"},

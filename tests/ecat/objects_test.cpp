@@ -122,6 +122,13 @@ TEST_CASE("sdos lists what a slave states, and values by their type") {
     CHECK(run("write 0x2002 7 --slave 0 --yes --format json" + on(ring)).parsed()[0]["type"] == "UNSIGNED32");
 }
 
+TEST_CASE("an entry without a name has the name of its object") {
+    emulated_bus ring{three(), true};
+    ring.with(1, [](auto& each) { each.other.are_entries_named = false; });
+    CHECK(run("read 0x2002 --slave 1 --format json" + on(ring)).parsed()[0]["name"] == "gain");
+    CHECK(run("sdos 0x2002 --slave 1 --format json" + on(ring)).parsed()[0]["entries"][0]["name"] == "gain");
+}
+
 TEST_CASE("sdos says what to do without SDO information") {
     bench b;
     const auto ended = run("sdos --slave 1" + on(b.ring));

@@ -118,6 +118,42 @@ TEST_CASE("watch shows the inputs of slaves in SAFE-OP") {
     CHECK(states(ring)[1] == al_state::safe_op);
 }
 
+TEST_CASE("watch reads inputs by their logical address where a slave has them at no other one") {
+    auto slaves = with_process_data();
+    slaves[2].inputs = inputs;
+    emulated_bus ring{slaves};
+    REQUIRE(run("state safe-op --yes" + on(ring)).code == done);
+    ring.on_way_back([](std::span<std::byte> frame) {
+        ethercat::mutable_frame_view view;
+        if (!view.parse(frame)) return;
+        for (const auto each : view)
+            if (each.header.cmd == ethercat::command::aprd && each.header.length == 7) {
+                std::ranges::fill(each.data, std::byte{});
+                static_cast<void>(jauscat::wire::encode(ethercat::datagram_trailer{0}, each.bytes.last(2)));
+            }
+    });
+    ring.with(1, [](auto& each) { each.device.inputs()[0] = std::byte{7}; });
+    ring.with(2, [](auto& each) { each.device.inputs()[0] = std::byte{9}; });
+    const auto ended = run("watch --seconds 0.01 --format json" + on(ring));
+    INFO(ended.err);
+    CHECK(ended.code == done);
+    const auto rows = ended.parsed();
+    REQUIRE(rows.size() == 6);
+    CHECK(rows[0]["value"] == 7);
+    CHECK(rows[3]["position"] == 2);
+    CHECK(rows[3]["value"] == 9);
+    ring.on_way_back([](std::span<std::byte> frame) { // and now nowhere
+        ethercat::mutable_frame_view view;
+        if (!view.parse(frame)) return;
+        for (const auto each : view)
+            if (each.header.length == 7)
+                static_cast<void>(jauscat::wire::encode(ethercat::datagram_trailer{0}, each.bytes.last(2)));
+    });
+    const auto failing = run("watch --seconds 0.01" + on(ring));
+    CHECK(failing.code == failed);
+    CHECK(failing.complains("slave 1 on " + ring.where() + ": its inputs at 0x"));
+}
+
 TEST_CASE("monitor counts frames, working counters and errors of ports") {
     emulated_bus ring{three()};
     const auto ended = run("monitor --seconds 0.3 --format json" + on(ring));

@@ -89,6 +89,29 @@ TEST_CASE("state takes slaves to another state, if it may, and leaves station ad
     CHECK(states(ring) == all_in(al_state::init));
 }
 
+TEST_CASE("state takes slaves without outputs to OP, and leaves others in SAFE-OP") {
+    static const std::vector<ethercat::pdo_entry> entries{
+        {.index = 0x6000, .subindex = 1, .bits = 16, .data_type = 6, .name = "position"}};
+    auto slaves = three();
+    slaves[1].outputs = entries;
+    slaves[2].inputs = entries;
+    emulated_bus ring{slaves};
+    const auto ended = run("state op --yes" + on(ring));
+    CHECK(ended.code == failed);
+    CHECK(ended.complains("slave 1 on " + ring.where() + ": it has outputs: in OP they would be in force"));
+    CHECK_FALSE(ended.complains("slave 2"));
+    CHECK(states(ring) == std::vector{al_state::op, al_state::safe_op, al_state::op});
+    CHECK(stations(ring) == std::vector<std::uint16_t>{0, 0, 0});
+    // They are no running master's.
+    CHECK(run("watch --slave 2 --seconds 0.01" + on(ring)).code == done);
+    CHECK(run("state op --slave 1 --yes" + on(ring)).code == failed); // already in SAFE-OP
+    CHECK(run("state safe-op --slave 2 --yes" + on(ring)).code == done);
+    CHECK(run("state op --slave 2 --yes" + on(ring)).code == done);
+    CHECK(states(ring) == std::vector{al_state::op, al_state::safe_op, al_state::op});
+    CHECK(run("state init --yes" + on(ring)).code == done);
+    CHECK(states(ring) == all_in(al_state::init));
+}
+
 TEST_CASE("state says why a slave refuses") {
     emulated_bus ring{three()};
     const auto ended = run("state boot --slave 1 --yes" + on(ring));

@@ -51,6 +51,32 @@ TEST_CASE("jauscat-ecat refuses while a master runs slaves in OP, and leaves the
     CHECK(cyclic.wait() == 0);
 }
 
+TEST_CASE("cyclic takes the slaves back to PRE-OP where it is stopped before they are in OP") {
+    static const std::vector<ethercat::pdo_entry> inputs{
+        {.index = 0x6000, .subindex = 1, .bits = 16, .data_type = 6, .name = "position"}};
+    auto slaves = three();
+    for (auto& each : slaves) {
+        each.inputs = inputs;
+        each.clock = ethercat::clock_width::bits_64;
+    }
+    emulated_bus ring{slaves};
+    // The reference clock seems to jump: no cycles can follow it.
+    std::uint64_t time{};
+    ring.on_way_back([&time](std::span<std::byte> frame) {
+        ethercat::mutable_frame_view view;
+        if (!view.parse(frame)) return;
+        for (const auto each : view)
+            if (each.header.cmd == ethercat::command::frmw)
+                static_cast<void>(jauscat::wire::encode(ethercat::dc_time{time += 700'001}, each.data));
+    });
+    const auto port = ring.where().substr(ring.where().rfind(':') + 1);
+    nodes::program cyclic{{CYCLIC, "--ethercat-port", port, "--seconds", "600", "--period", "5000", "--clocks"}};
+    while (states(ring) != all_in(al_state::safe_op)) std::this_thread::sleep_for(std::chrono::milliseconds{5});
+    cyclic.signal(SIGINT);
+    CHECK(cyclic.wait() != 0);
+    CHECK(states(ring) == all_in(al_state::pre_op));
+}
+
 TEST_CASE("slaves that another master has set up are looked at, but not changed") {
     emulated_bus ring{three()};
     {

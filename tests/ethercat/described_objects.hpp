@@ -23,6 +23,8 @@ class described_objects {
         {{0x3000, 4}, bytes(1, 1)},
     };
 
+    bool are_entries_named{true}; ///< also of 2000h to 2003h, which have a name themselves
+
     ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) const noexcept {
         const auto found = values.find({index, subindex});
         if (found == values.end()) return {.error = missing(index)};
@@ -59,7 +61,8 @@ class described_objects {
             return ethercat::entry_info{
                 .data_type = 5, .bits = bits[subindex], .access = ethercat::accessible_always, .name = "part"};
         }
-        ethercat::entry_info entry{.data_type = 7, .bits = 32, .access = ethercat::accessible_always, .name = "gain"};
+        ethercat::entry_info entry{
+            .data_type = 7, .bits = 32, .access = ethercat::accessible_always, .name = are_entries_named ? "gain" : ""};
         entry.access.rx_pdo = index == 0x2000;
         entry.access.tx_pdo = index == 0x2001;
         entry.access.backup = index == 0x2002;

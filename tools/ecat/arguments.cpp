@@ -61,9 +61,10 @@ Examples:
 )"},
     command_help{
         "state", "[GOAL]", 0, 1, slave | confirmation, "show states, or request one",
-        R"(Without a goal: the state of each slave, with the AL status code. With a goal (init, pre-op, boot or safe-op) the slave, or
-each slave, is taken there, and an error is acknowledged. SAFE-OP sets up the process data on the way, through INIT. OP
-needs a master's cycles: use a master, or cyclic. Station addresses stay as they are.
+        R"(Without a goal: the state of each slave, with the AL status code. With a goal (init, pre-op, boot, safe-op or op) the slave,
+or each slave, is taken there, and an error is acknowledged. SAFE-OP sets up the process data on the way, through INIT. OP
+is for slaves without outputs: outputs need a master's cycles, so that such a slave stays in SAFE-OP. Use a master, or
+cyclic. Station addresses stay as they are.
 
 Examples:
   jauscat-ecat state --link eth0

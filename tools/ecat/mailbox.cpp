@@ -218,7 +218,14 @@ entry_text coe_mailbox::describe(std::uint16_t index, std::uint8_t subindex) {
 std::optional<entry_text> coe_mailbox::try_describe(std::uint16_t index, std::uint8_t subindex) {
     if (is_->has_no_descriptions) return {};
     try {
-        return describe(index, subindex);
+        auto made = describe(index, subindex);
+        if (subindex != 0 || !made.name.empty()) return made;
+        try {
+            made.name = describe(index).name;
+        } catch (const coe_failure& error) {
+            if (error.error.code != master_errc::sdo_abort) throw;
+        }
+        return made;
     } catch (const coe_failure& error) {
         // One that does not answer at all would cost the time of each further question.
         if (error.error.code != master_errc::sdo_abort) is_->has_no_descriptions = true;

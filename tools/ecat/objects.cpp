@@ -226,7 +226,6 @@ int sdos(const arguments& given) {
                 row.insert(row.end(), entry.begin() + 1, entry.end());
                 if (sub == 0 && object.is.highest_subindex != 0) row[1].second = object.name;
                 if (sub != 0) row[1].second = "  " + about->name;
-                if (object.is.highest_subindex == 0 && about->name.empty()) row[1].second = object.name;
                 rows.push_back(std::move(row));
                 entries.emplace_back(std::move(entry));
             }

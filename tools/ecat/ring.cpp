@@ -168,6 +168,17 @@ void ring::write(std::uint16_t position, std::uint16_t address, const bytes& dat
                   " was not executed: check that the slave is there"};
 }
 
+bool ring::has_outputs(std::uint16_t position) {
+    const auto managers = std::min<std::size_t>(read(position, registers::description).sync_managers, 16);
+    for (std::size_t i = 0; i != managers; ++i) {
+        const auto sm = read(position, ethercat::nth(registers::sync_manager, i));
+        if (sm.enable && sm.length != 0 && sm.mode != ethercat::sync_manager_mode::mailbox &&
+            sm.direction == ethercat::sync_manager_direction::master_writes)
+            return true;
+    }
+    return false;
+}
+
 ethercat::al_status ring::wait_for_state(std::uint16_t position,
                                          const std::function<bool(const ethercat::al_status&)>& is_it) {
     const auto end = jauscat::net::now() + options_.state_timeout;
@@ -266,7 +277,7 @@ void ring::guard(intent what) {
     };
     for (std::uint16_t i = 0; i != slaves(); ++i) {
         const auto& one = states_[i];
-        if (one.al.state == ethercat::al_state::op ||
+        if ((one.al.state == ethercat::al_state::op && (one.station != 0 || has_outputs(i))) ||
             (one.al.state == ethercat::al_state::safe_op && !one.al.error && one.station != 0))
             refuse("slave " + std::to_string(i) + " is in " + state_text(one.al) + ": a master seems to run it");
     }

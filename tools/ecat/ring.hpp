@@ -107,6 +107,9 @@ class ring {
         write(position, at.address, encoded(v));
     }
 
+    /// Whether outputs of the slave are set up, by its SyncManagers.
+    [[nodiscard]] bool has_outputs(std::uint16_t position);
+
     /// Requests a state and waits for it; an error is acknowledged. Throws `failure` with the slave's reason.
     void change_state(std::uint16_t position, ethercat::al_state goal);
 

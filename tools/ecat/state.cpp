@@ -21,11 +21,8 @@ al_state parse_goal(std::string text) {
     if (text == "preop") return al_state::pre_op;
     if (text == "boot") return al_state::boot;
     if (text == "safeop") return al_state::safe_op;
-    if (text == "op")
-        throw usage_error{
-            "OP needs a master's cyclic exchange: use a master, or the program cyclic, which holds outputs of "
-            "0; watch shows inputs in SAFE-OP, too"};
-    throw usage_error{"'" + text + "' is no state: expected init, pre-op, boot or safe-op"};
+    if (text == "op") return al_state::op;
+    throw usage_error{"'" + text + "' is no state: expected init, pre-op, boot, safe-op or op"};
 }
 
 /// By way of INIT; process data are set up by the master, which needs a station address for the time.
@@ -37,7 +34,9 @@ void to_safe_op(ring& on, std::uint16_t position) {
     };
     while (is_taken(station)) ++station;
     const auto before = on.read(position, registers::station_address);
-    ethercat::master_for<1> master{{.frame_timeout = on.options().frame_timeout}};
+    // Each slave has logical addresses of its own, by which watch can read its inputs.
+    ethercat::master_for<1> master{
+        {.frame_timeout = on.options().frame_timeout, .logical_base = std::uint32_t{position} << 16}};
     const auto require = [&](const auto& result, const char* what) {
         if (!result) throw failure{on.name_of(position) + ": " + what + ": " + reason_text(result.error())};
     };
@@ -58,6 +57,14 @@ void request(ring& on, std::uint16_t position, al_state goal) {
     const auto now = on.read(position, registers::al_status);
     if (now.state == goal && !now.error) return;
     if (goal == al_state::safe_op && now.state != al_state::op) return to_safe_op(on, position);
+    if (goal == al_state::op) {
+        if (now.state != al_state::safe_op || now.error) to_safe_op(on, position);
+        if (on.has_outputs(position))
+            throw failure{on.name_of(position) +
+                          ": it has outputs: in OP they would be in force without a master that keeps them, until the "
+                          "slave leaves OP. It is in SAFE-OP, where watch shows its inputs; cyclic holds slaves in OP "
+                          "with outputs of 0"};
+    }
     if (goal == al_state::boot || (goal == al_state::pre_op && !is_known(now.state)))
         if (now.state != al_state::init) on.change_state(position, al_state::init);
     if (goal == al_state::pre_op && (now.state == al_state::init || now.state == al_state::boot)) {

@@ -6,7 +6,9 @@
 #include <jauscat/net/now.hpp>
 
 #include <algorithm>
+#include <array>
 #include <iostream>
+#include <optional>
 #include <unistd.h>
 
 namespace ecat {
@@ -21,6 +23,7 @@ struct input_area {
     std::uint16_t position{};
     std::uint16_t start{};
     std::uint16_t length{};
+    std::optional<std::uint32_t> logical{}; ///< where an FMMU has it
     std::vector<mapped_entry> entries{};
 };
 
@@ -35,6 +38,31 @@ bytes bits_of(const bytes& data, std::size_t from, std::size_t count) {
     return made;
 }
 
+std::optional<std::uint32_t> logical_address(ring& on, std::uint16_t position, const ethercat::sync_manager& sm) {
+    const auto fmmus = std::min<std::size_t>(on.read(position, registers::description).fmmus, 16);
+    for (std::size_t i = 0; i != fmmus; ++i) {
+        const auto one = on.read(position, ethercat::nth(registers::fmmu, i));
+        if (one.enable && one.read && one.first_bit == 0 && one.physical_bit == 0 && one.physical_start == sm.start &&
+            one.length == sm.length)
+            return one.logical_start;
+    }
+    return {};
+}
+
+/// Some emulated slaves have process data at logical addresses only.
+bytes inputs_of(ring& on, const input_area& area) {
+    std::array both{read_of(area.position, area.start, area.length), datagram{}};
+    const auto logical = area.logical.value_or(0);
+    both[1] = {ethercat::command::lrd, static_cast<std::uint16_t>(logical & 0xFFFF),
+               static_cast<std::uint16_t>(logical >> 16), bytes(area.length)};
+    on.exchange({both.data(), 1});
+    if (both[0].working_counter == 1) return both[0].data;
+    if (area.logical) on.exchange({&both[1], 1});
+    if (both[1].working_counter == 1) return both[1].data;
+    throw failure{on.name_of(area.position) + ": its inputs at " + hex(area.start, 4) +
+                  " cannot be read: check that the slave is there"};
+}
+
 std::vector<input_area> areas_of(ring& on, std::uint16_t position) {
     std::vector<input_area> made;
     // A master that runs uses the mailbox.
@@ -44,7 +72,8 @@ std::vector<input_area> areas_of(ring& on, std::uint16_t position) {
         const auto sm = on.read(position, ethercat::nth(registers::sync_manager, pdo.sync_manager));
         if (!sm.enable || sm.length == 0 || sm.length > 1400) continue;
         auto area = std::ranges::find_if(made, [&](const auto& one) { return one.start == sm.start; });
-        if (area == made.end()) area = made.insert(made.end(), {position, sm.start, sm.length, {}});
+        if (area == made.end())
+            area = made.insert(made.end(), {position, sm.start, sm.length, logical_address(on, position, sm), {}});
         for (const auto& each : pdo.entries)
             if (each.index != 0) area->entries.push_back(each);
     }
@@ -55,7 +84,7 @@ std::vector<input_area> areas_of(ring& on, std::uint16_t position) {
 std::vector<record> look(ring& on, const std::vector<input_area>& areas) {
     std::vector<record> rows;
     for (const auto& area : areas) {
-        const auto data = on.read(area.position, area.start, area.length);
+        const auto data = inputs_of(on, area);
         for (const auto& each : area.entries) {
             const auto raw = bits_of(data, each.bit_offset, each.bits);
             const auto* const type = type_of(each.type);
