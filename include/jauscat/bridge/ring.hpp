@@ -50,6 +50,9 @@ class ring {
           memory_{memory.places},
           lanes_{memory.lanes},
           records_{memory.exchanged},
+          bring_ups_{memory.bring_ups},
+          configurations_{memory.configurations},
+          state_changes_{memory.state_changes},
           clocks_{memory.clock_records} {}
     ring(const ring&) = delete;
     ring& operator=(const ring&) = delete;
@@ -234,6 +237,10 @@ class ring {
         safe_op,
         op,
         place,
+        bring_up_all,
+        configure_all,
+        safe_op_all,
+        op_all,
         shared
     };
     using purpose = message_lane::purpose;
@@ -328,23 +335,24 @@ class ring {
     bool begin_step(place& at, time_point now) {
         if (is_carried(at)) return false; // a transfer from before its loss ends first
         switch (at.at) {
-        case phase::absent: return now >= at.next_try && !at.front->options().is_taken_over && begin_bring_up(at);
+        case phase::absent: return now >= at.next_try && !at.front->options().is_taken_over && begin_bring_up(at, now);
         case phase::pre_op:
             if (!at.front->options().cyclic) return reach_pre_op(at), true; // it was taken over
             if (const auto* const object = next_start_up_object(at)) return begin_start_up(at, *object);
-            return begin_job(at, work::configure,
-                             ethercat::configure{at.front->station(), at.front->timing().watchdog});
+            return begin_configure(at);
         case phase::configured:
             if (has_sync(at) && !at.clock_is_set) return begin_clocks(at, now);
             if (has_sync(at)) return follow_clock(at, now), true;
             [[fallthrough]];
         case phase::has_sync:
-            return begin_job(at, work::safe_op,
-                             ethercat::change_state{at.front->station(), ethercat::al_state::safe_op});
+            return begin_state(at, work::safe_op, work::safe_op_all, ethercat::al_state::safe_op,
+                               [](const place& each) { return goes_to_safe_op(each); });
         case phase::has_clock: return is_in_time(at) ? begin_sync(at, now) : begin_clock_look(at, now);
         case phase::safe_op:
             if (has_sync(at) && !is_synchronized(at)) return false;
-            return begin_job(at, work::op, ethercat::change_state{at.front->station(), ethercat::al_state::op});
+            return begin_state(at, work::op, work::op_all, ethercat::al_state::op, [this](const place& each) {
+                return each.at == phase::safe_op && (!has_sync(each) || is_synchronized(each));
+            });
         case phase::in_state: return begin_place_check(at);
         case phase::settling:
         case phase::up: break;
@@ -512,11 +520,84 @@ class ring {
         return started;
     }
     // Slaves may still be as an earlier master, or an earlier life of this program, has left them.
-    bool begin_bring_up(place& at) {
+    bool begin_bring_up(place& at, time_point now) {
         if (!is_cleared_) return begin_job(at, work::scan, ethercat::scan{});
-        const auto& slave = at.front->options();
-        return begin_job(at, work::bring_up,
-                         ethercat::bring_up{slave.position, slave.identity.station, slave.expected});
+        const auto wanted = [](const place& each) {
+            const auto& slave = each.front->options();
+            return ethercat::bring_up{slave.position, slave.identity.station, slave.expected};
+        };
+        const auto joins = [&](const place& each) {
+            return each.at == phase::absent && now >= each.next_try && !each.front->options().is_taken_over;
+        };
+        if (const auto all = gather(at, bring_ups_, joins,
+                                    [&](const place& each) { return ethercat::bring_up_place{wanted(each)}; });
+            !all.empty())
+            return begin_job(at, work::bring_up_all, ethercat::bring_up_all{all});
+        return begin_job(at, work::bring_up, wanted(at));
+    }
+    bool begin_configure(place& at) {
+        const auto watchdog = at.front->timing().watchdog;
+        const auto joins = [&](const place& each) {
+            return each.at == phase::pre_op && each.front->options().cyclic &&
+                   each.front->timing().watchdog == watchdog && next_start_up_object(each) == nullptr;
+        };
+        if (const auto all = gather(at, configurations_, joins,
+                                    [](const place& each) { return ethercat::configure_place{each.front->station()}; });
+            !all.empty())
+            return begin_job(at, work::configure_all, ethercat::configure_all{all, watchdog});
+        return begin_job(at, work::configure, ethercat::configure{at.front->station(), watchdog});
+    }
+    [[nodiscard]] static bool goes_to_safe_op(const place& at) noexcept {
+        return at.at == phase::has_sync || (at.at == phase::configured && !has_sync(at));
+    }
+    bool begin_state(place& at, work one, work many, ethercat::al_state goal, auto&& joins) {
+        if (const auto all = gather(at, state_changes_, joins,
+                                    [](const place& each) { return ethercat::state_place{each.front->station()}; });
+            !all.empty())
+            return begin_job(at, many, ethercat::change_states{all, goal});
+        return begin_job(at, one, ethercat::change_state{at.front->station(), goal});
+    }
+
+    // ---- Steps of many slaves at once. The job ends with the slowest of them, so that one which was slow is on its
+    // own until it is up: it holds the others up once.
+
+    // Empty where it is on its own, and where the frames, which are longer then, could delay the process data.
+    template <class Step>
+    [[nodiscard]] std::span<Step> gather(const place& at, std::span<Step> memory, auto&& joins, auto&& made) {
+        together_ = 0;
+        if (at.is_slow || (is_periodic() && options_.period < std::chrono::milliseconds{1})) return {};
+        for (const place& each : places()) {
+            if (together_ == memory.size()) break;
+            if (joins(each) && !each.is_slow && !is_carried(each)) memory[together_++] = made(each);
+        }
+        return memory.first(together_ > 1 ? together_ : 0);
+    }
+    // Errors that take the slave's time, not the link's.
+    [[nodiscard]] static bool is_slow(const ethercat::master_error& error) noexcept {
+        using enum ethercat::master_errc;
+        return error.code == state_timeout || error.code == mailbox_timeout || error.code == mailbox_full ||
+               error.code == sii_busy;
+    }
+    // Calls `ended(place, error)` for each slave that is still where it was.
+    void complete_all(auto steps, auto&& station_of, auto&& is_expected, auto&& ended, time_point now) {
+        holds_rebuild_ = true;
+        for (const auto& each : steps.first(together_)) {
+            place* const found = place_of(station_of(each));
+            if (found != nullptr && is_expected(*found)) ended(*found, each.error);
+        }
+        holds_rebuild_ = false;
+        if (std::exchange(is_rebuild_due_, false)) rebuild_process_data(now);
+    }
+    void brought_up_all(time_point now) {
+        complete_all(
+            bring_ups_, [](const auto& each) { return each.slave.station; },
+            [](const place& at) { return at.at == phase::absent; },
+            [&](place& at, const ethercat::master_error& error) { brought_up(at, error, now); }, now);
+    }
+    void set_up_all(auto steps, phase next, auto&& is_expected, time_point now, jaus::message_sink out) {
+        complete_all(
+            steps, [](const auto& each) { return each.station; }, is_expected,
+            [&](place& at, const ethercat::master_error& error) { set_up(at, error, next, now, out); }, now);
     }
     // One list after the other: those of all parts that have process data of the slave.
     [[nodiscard]] const ethercat::init_command* next_start_up_object(const place& at) const {
@@ -576,7 +657,7 @@ class ring {
         place& at = *served_;
         const auto result = master_.error();
         switch (std::exchange(work_, work::none)) {
-        case work::scan: return cleared(at, master_.result<ethercat::scan>().value_or(0));
+        case work::scan: return cleared(at, master_.result<ethercat::scan>().value_or(0), now);
         case work::bring_up: return brought_up(at, result, now);
         case work::start_up: return started_up(at, result, now, out);
         case work::configure: return set_up(at, result, phase::configured, now, out);
@@ -586,18 +667,30 @@ class ring {
         case work::safe_op: return set_up(at, result, phase::safe_op, now, out);
         case work::op: return set_up(at, result, phase::in_state, now, out);
         case work::place: return placed(at, result, now, out);
+        case work::bring_up_all: return brought_up_all(now);
+        case work::configure_all:
+            return set_up_all(
+                configurations_, phase::configured, [](const place& each) { return each.at == phase::pre_op; }, now,
+                out);
+        case work::safe_op_all:
+            return set_up_all(
+                state_changes_, phase::safe_op, [](const place& each) { return goes_to_safe_op(each); }, now, out);
+        case work::op_all:
+            return set_up_all(
+                state_changes_, phase::in_state, [](const place& each) { return each.at == phase::safe_op; }, now, out);
         default: return;
         }
     }
 
     // A failed job is repeated, unless a slave is up that it would reset.
-    void cleared(place& at, std::size_t slaves) {
+    void cleared(place& at, std::size_t slaves, time_point now) {
         is_cleared_ = true;
-        static_cast<void>(begin_bring_up(at));
+        static_cast<void>(begin_bring_up(at, now));
         is_cleared_ = slaves != 0;
     }
     void brought_up(place& at, const ethercat::master_error& error, time_point now) {
         at.bring_up = error;
+        at.is_slow = at.is_slow || is_slow(error);
         at.next_try = saturating_add(now, at.front->timing().bring_up_interval);
         if (error != ethercat::master_error{}) return at.front->watcher().bring_up_failed(*at.front, error);
         is_cleared_ = true;
@@ -623,8 +716,10 @@ class ring {
         set_up(at, {}, phase::settling, now, out);
     }
     void set_up(place& at, const ethercat::master_error& error, phase next, time_point now, jaus::message_sink out) {
+        if (at.at == phase::absent) return; // it was lost meanwhile
         if (error != ethercat::master_error{}) {
             at.bring_up = error;
+            at.is_slow = at.is_slow || is_slow(error);
             return lose(at, loss::no_process_data, error, now, out);
         }
         at.at = next;
@@ -637,6 +732,7 @@ class ring {
     }
     void ready(place& at, time_point now) {
         at.at = phase::up;
+        at.is_slow = false;
         at.up_since = now;
         at.silence = {};
         at.front->set_up(true);
@@ -916,6 +1012,10 @@ class ring {
     }
     // Rebuilds the process image from the present slaves; keeps their outputs.
     void rebuild_process_data(time_point now) {
+        if (holds_rebuild_) {
+            is_rebuild_due_ = true;
+            return;
+        }
         std::size_t count = 0;
         for (place& each : places()) {
             const auto* const record = master_.find(each.front->station());
@@ -1138,6 +1238,10 @@ class ring {
     std::span<place> memory_;
     std::span<message_lane> lanes_;
     std::span<ethercat::slave_record> records_;
+    std::span<ethercat::bring_up_place> bring_ups_;
+    std::span<ethercat::configure_place> configurations_;
+    std::span<ethercat::state_place> state_changes_;
+    std::size_t together_{}; // slaves of the master's current job, if it is one for many
     std::size_t place_count_{};
     std::size_t last_served_{};  // by the master
     std::size_t last_carried_{}; // by a lane
@@ -1147,6 +1251,7 @@ class ring {
     bool is_cleared_{};          // the slaves, of what an earlier master has left in them
     bool has_begun_{};
     bool is_step_due_{}; // a cycle has ended
+    bool holds_rebuild_{}, is_rebuild_due_{};
     std::uint32_t logical_base_{};
     time_point last_turn_{};
     time_point next_cycle_{};

@@ -4,6 +4,7 @@
 #include <jauscat/bridge/message_lane.hpp>
 #include <jauscat/bridge/slave_front.hpp>
 #include <jauscat/ethercat/master/clock_record.hpp>
+#include <jauscat/ethercat/master/jobs.hpp>
 #include <jauscat/ethercat/master/process_data.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
 
@@ -33,6 +34,7 @@ struct ring_place {
     slave_front* front{};
     phase at{};
     ethercat::master_error bring_up{};
+    bool is_slow{}; // a step of it has timed out since it was up
     time_point next_try = time_point::min();
     time_point next_keep_alive{};
     time_point up_since{};
@@ -62,6 +64,10 @@ struct ring_memory {
     std::span<message_lane> lanes{}; ///< 1 at least: so many slaves get messages by mailbox at the same time
     /// Two for each slave of the bus, also for those that are not the ring's; none: without distributed clocks.
     std::span<ethercat::clock_record> clock_records{};
+    // Slaves that are not up go to PRE-OP, are configured, and go to SAFE-OP and OP at once; none: one after the other.
+    std::span<ethercat::bring_up_place> bring_ups{};
+    std::span<ethercat::configure_place> configurations{};
+    std::span<ethercat::state_place> state_changes{};
 };
 
 /// Memory for up to `Slaves` slaves and `Bytes` of process data, `Lanes` messages by mailbox at the same time, and
@@ -75,9 +81,13 @@ struct ring_memory_for {
     std::array<std::byte, Bytes> image{};
     std::array<message_lane, Lanes> lanes{};
     std::array<ethercat::clock_record, 2 * Clocks> clock_records{};
+    std::array<ethercat::bring_up_place, Slaves> bring_ups{};
+    std::array<ethercat::configure_place, Slaves> configurations{};
+    std::array<ethercat::state_place, Slaves> state_changes{};
 
     [[nodiscard]] ring_memory spans() noexcept {
-        return {places, records, exchanged, slots, image, lanes, clock_records};
+        return {places, records,       exchanged, slots,          image,
+                lanes,  clock_records, bring_ups, configurations, state_changes};
     }
 };
 

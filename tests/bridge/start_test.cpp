@@ -1,0 +1,106 @@
+// Many slaves that are brought up at once: at the start, and after a loss.
+#include "rig.hpp"
+
+using namespace test;
+
+namespace {
+
+struct start {
+    std::uint64_t frames{};
+    std::chrono::nanoseconds time{};
+};
+
+bool are_all_up(rig& r) { return std::ranges::all_of(r.fronts, &bridging::slave_front::up); }
+
+start start_of(rig& r) {
+    const auto before = r.frames;
+    const auto took = r.run_until([&] { return are_all_up(r); });
+    CHECK(r.watcher.failed_bring_ups == 0);
+    CHECK(r.bus.statistics().foreign == 0);
+    return {r.frames - before, took};
+}
+
+} // namespace
+
+TEST_CASE("slaves by mailbox are brought up at once") {
+    rig one, many{64};
+    const auto single = start_of(one), all = start_of(many);
+    CAPTURE(single.frames, all.frames, single.time.count(), all.time.count());
+    CHECK(all.frames < 64 * single.frames / 4); // with a look at the place of each, and a stop order to each
+    CHECK(all.time < 64 * single.time / 8);
+}
+
+TEST_CASE("cyclic slaves are brought up, configured and taken to OP at once") {
+    rig one{1, true}, many{64, true};
+    const auto single = start_of(one), all = start_of(many);
+    CAPTURE(single.frames, all.frames, single.time.count(), all.time.count());
+    CHECK(all.frames < 64 * single.frames / 4);
+    CHECK(all.time < 64 * single.time / 4);
+    CHECK(many.watcher.lost == 0);
+    many.run_until_ready();
+    many.run_until([&, number = many.drive(50, 63)] { return many.is_acknowledged(number); }, 50ms);
+}
+
+TEST_CASE("slaves behind a cable that was out return at once, and are at rest") {
+    rig r{32, true};
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50, 31)] { return r.is_acknowledged(number); });
+    r.dead_from = 8;
+    r.run_until([&] { return r.watcher.lost == 24; }, 200ms);
+    r.run(2s);
+    for (std::size_t i = 0; i != 8; ++i) CHECK(r.fronts[i].up());
+    r.dead_from = 1000;
+    const auto before = r.frames;
+    const auto took = r.run_until([&] { return are_all_up(r); }, 2s);
+    CAPTURE(r.frames - before, took.count());
+    CHECK(took < r.options.bring_up_interval + 300ms);
+    CHECK(r.watcher.lost == 24);
+    r.run_until_ready();
+    CHECK(r.motor(31).effort == 0);
+}
+
+TEST_CASE("a slave that does not change its state holds the others up once, not at each attempt") {
+    const bool cyclic = GENERATE(false, true);
+    rig r{4, cyclic};
+    r.actuators[1].hangs = true;
+    const auto state_timeout = r.options.master.state_timeout;
+    const auto others_are_up = [&] { return r.fronts[0].up() && r.fronts[2].up() && r.fronts[3].up(); };
+    CHECK(r.run_until(others_are_up) < state_timeout + 300ms);
+    for (int i = 0; i != 3; ++i) {
+        r.run(700ms);
+        r.actuators[2].power_cycle();
+        r.actuators[3].power_cycle();
+        r.run_until([&] { return !r.fronts[2].up() && !r.fronts[3].up(); }, 200ms);
+        CHECK(r.run_until(others_are_up) < state_timeout + 300ms); // the attempt that runs ends first
+    }
+    CHECK(r.fronts[0].up());
+    r.actuators[1].hangs = false;
+    r.run_until_ready();
+}
+
+TEST_CASE("a slave whose mailbox hangs is given up, and the others that are configured with it operate") {
+    rig r{3, true};
+    r.run_until([&] { return r.actuators[1].slave.state() == ethercat::al_state::pre_op; });
+    r.actuators[1].hangs = true;
+    r.run_until([&] { return r.fronts[0].up() && r.fronts[2].up(); });
+    CHECK_FALSE(r.fronts[1].up());
+    r.actuators[1].hangs = false;
+    r.run_until_ready();
+}
+
+TEST_CASE("a slave is removed while it is brought up with others") {
+    rig r{3, true};
+    const auto i = GENERATE(0u, 1u, 2u);
+    const auto goal = GENERATE(ethercat::al_state::init, ethercat::al_state::pre_op, ethercat::al_state::safe_op);
+    r.run(2ms);
+    r.run_until([&] { return r.actuators[i].slave.state() >= goal; });
+    r.bus.remove(r.fronts[i], r.now);
+    r.run_until([&] {
+        for (std::size_t k = 0; k != 3; ++k)
+            if (k != i && !r.fronts[k].up()) return false;
+        return true;
+    });
+    r.run(1s);
+    CHECK_FALSE(r.fronts[i].up());
+    CHECK(r.watcher.lost == 0);
+}
