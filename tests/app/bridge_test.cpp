@@ -324,6 +324,23 @@ TEST_CASE("an end does not wait longer than a second for a slave that does not c
     CHECK_FALSE(b.bridge->at_rest());
 }
 
+TEST_CASE("an end reports a slave that was lost before and has not confirmed that it is at rest") {
+    bench b;
+    b.serve();
+    b.start();
+    REQUIRE(b.drive(40));
+    b.ring.is_silent = true;
+    REQUIRE(b.until([&] { return !b.lost.empty(); }));
+    SECTION("the node stops") { b.robot->stop(); }
+    SECTION("the bus stops first") {
+        b.bus->stop();
+        CHECK_FALSE(b.bridge->at_rest());
+        b.robot->stop();
+    }
+    CHECK(b.has_line("slave 0 has not confirmed that it is at rest"));
+    CHECK_FALSE(b.bridge->at_rest());
+}
+
 TEST_CASE("a bus that ends first says whether its slaves are at rest") {
     const bool is_silent = GENERATE(false, true);
     bench b;

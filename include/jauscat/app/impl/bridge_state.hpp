@@ -117,7 +117,9 @@ class served_slave final : public bus_user {
     /// The bus leaves the slave as it is.
     void leave() noexcept;
     void stop() noexcept { front_.reset(); }
-    /// It was up and should have been brought to rest: if it was not, that is logged.
+    /// It answers, or has been lost and was not seen at rest since.
+    [[nodiscard]] bool may_move() const noexcept { return is_up() || (has_been_up_ && !at_rest()); }
+    /// It may have moved and should have been brought to rest: if it was not, that is logged.
     [[nodiscard]] bool check_rest();
     [[nodiscard]] const slave_choice& choice() const noexcept { return which_; }
     [[nodiscard]] std::uint16_t station() const noexcept { return station_; }
@@ -171,8 +173,9 @@ class served_slave final : public bus_user {
     std::optional<boost::asio::steady_timer> timer_{};
     net::limited_log limited_{[this](std::string_view line) { log_event(line); }};
     std::string last_problem_{};
-    bool works_{};     ///< between start and stop
-    bool is_served_{}; ///< the ring has the front
+    bool works_{};       ///< between start and stop
+    bool is_served_{};   ///< the ring has the front
+    bool has_been_up_{}; ///< since the start
 };
 
 /// Keeps the bus in memory; the node keeps it.

@@ -127,7 +127,7 @@ JAUSCAT_DECL void bridge_state::stop() noexcept {
         for (auto& each : slaves_)
             if (each.is_served()) served.push_back(&each);
         for (auto& each : slaves_)
-            if (each.is_up()) moving.push_back(&each);
+            if (each.may_move()) moving.push_back(&each);
         bus_->bring_to_rest(served);
         note_rest(true);
         for (auto* const each : moving) note_rest(each->check_rest());
@@ -277,6 +277,7 @@ JAUSCAT_DECL void served_slave::start() {
                                            .is_taken_over = named != nullptr},
                    *exchange_, bridge_.timing(), memory_, observer());
     works_ = true;
+    has_been_up_ = false;
     last_problem_.clear();
 }
 JAUSCAT_DECL void served_slave::leave() noexcept {
@@ -298,10 +299,11 @@ JAUSCAT_DECL void served_slave::bus_ends() noexcept {
     if (!front_) return;
     front_->on_work({});
     try {
-        if (was_up) bridge_.note_rest(check_rest());
+        if (was_up || may_move()) bridge_.note_rest(check_rest());
     } catch (...) { // of the log: it is not at rest
         bridge_.note_rest(false);
     }
+    has_been_up_ = false; // what it said is noted
     const bool is_up = front_->up();
     front_->set_up(false);
     if (!is_up) return;
@@ -456,6 +458,7 @@ JAUSCAT_DECL void served_slave::slave_up(const bridging::slave_front& slave, con
     watcher().slave_up(slave, record, ready);
     bridge_.bus()->note_served(*this, record);
     if (!ready) return;
+    has_been_up_ = true;
     last_problem_.clear();
     log_event(name() + " answers" + (bridge_.options().period > duration{} ? ", in OP" : ", in PRE-OP"));
     bridge_.call_later(&bridge_state::on_up, which_);
