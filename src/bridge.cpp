@@ -1,3 +1,2 @@
-// A bridge of the application.
+// A bridge as the application has it.
 #include <jauscat/app/impl/bridge.ipp>
-#include <jauscat/app/impl/bridge_state.ipp>

@@ -107,4 +107,6 @@ class bridge {
 #ifndef JAUSCAT_SEPARATE_COMPILATION
 #    include <jauscat/app/impl/bridge.ipp>
 #    include <jauscat/app/impl/bridge_state.ipp>
+#    include <jauscat/app/impl/served_slave.ipp>
+#    include <jauscat/app/impl/wrench_effort_part.ipp>
 #endif

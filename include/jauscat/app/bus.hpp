@@ -103,5 +103,7 @@ class bus {
 
 #ifndef JAUSCAT_SEPARATE_COMPILATION
 #    include <jauscat/app/impl/bus.ipp>
+#    include <jauscat/app/impl/bus_jobs.ipp>
 #    include <jauscat/app/impl/bus_state.ipp>
+#    include <jauscat/app/impl/bus_users.ipp>
 #endif

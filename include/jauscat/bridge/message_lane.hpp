@@ -1,5 +1,6 @@
 // Carries one message to a slave's mailbox and its answer back, beside the lanes of other slaves.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/bridge/any_exchange.hpp>
 #include <jauscat/bridge/order_queue.hpp>
@@ -54,78 +55,25 @@ class message_lane {
     [[nodiscard]] std::span<std::byte> message() noexcept { return message_; }
 
     /// Carries the `size` bytes in `message()`. `owner` knows the slave. It is not busy.
-    void begin(const task& what, std::size_t size, ethercat::master& owner, const ethercat::packet_options& options) {
-        task_ = what;
-        options_ = options;
-        is_busy_ = true;
-        outcome_.reset();
-        if (!owner.lend(what.front->station(), master_))
-            return end({}, {.code = ethercat::master_errc::wrong_station, .station = what.front->station()});
-        if (what.what == purpose::emergencies) {
-            static_cast<void>(master_.start(ethercat::collect_emergencies{what.front->station()}));
-            return;
-        }
-        take_step(exchange().begin(std::span{message_}.first(size), packet_));
-    }
+    JAUSCAT_FUNCTION void begin(const task& what, std::size_t size, ethercat::master& owner,
+                                const ethercat::packet_options& options);
     /// After frames and time. Returns whether it has ended.
-    bool advance() {
-        if (!is_busy_) return false;
-        while (!outcome_ && master_.idle()) {
-            if (task_.what == purpose::emergencies)
-                end({.what = exchange_progress::done}, master_.error());
-            else if (!job_ || !job_->next(master_))
-                confirm();
-        }
-        return outcome_.has_value();
-    }
+    JAUSCAT_FUNCTION bool advance();
     /// Gives it up: its error is then `timeout`.
     void cancel() noexcept { master_.cancel(ethercat::master_errc::timeout); }
     /// Returns the mailbox to `owner`. The report is valid until the next `begin`.
-    outcome take_outcome(ethercat::master& owner) {
-        owner.take_back(master_);
-        is_busy_ = false;
-        job_.reset();
-        return *std::exchange(outcome_, std::nullopt);
-    }
+    JAUSCAT_FUNCTION outcome take_outcome(ethercat::master& owner);
     /// The slave is removed, whatever is carried.
-    void drop(ethercat::master& owner) {
-        cancel();
-        owner.take_back(master_);
-        is_busy_ = false;
-        job_.reset();
-        outcome_.reset();
-        task_.front = nullptr;
-    }
+    JAUSCAT_FUNCTION void drop(ethercat::master& owner);
 
   private:
     [[nodiscard]] any_exchange& exchange() const noexcept { return task_.front->exchange(); }
 
     // A request packet is executed by the master; any other step ends the exchange.
-    void take_step(const exchange_step& step) {
-        if (step.what != exchange_progress::request) return end(step, job_ ? job_->error() : ethercat::master_error{});
-        const auto packet = std::span{packet_}.first(step.size);
-        tell(packet);
-        job_.emplace(packet, confirmation_, options_);
-        if (!job_->start(master_)) confirm();
-    }
-    void confirm() {
-        const auto size = job_->finish(master_);
-        take_step(exchange().on_confirmation(std::span{confirmation_}.first(size), packet_));
-    }
-    void end(const exchange_step& step, const ethercat::master_error& error) {
-        const bool is_done = step.what == exchange_progress::done;
-        outcome_ = outcome{is_done, std::span{packet_}.first(is_done ? step.size : 0), error};
-    }
-    void tell(std::span<const std::byte> packet) const {
-        if (task_.what == purpose::keep_alive) return;
-        const auto& watcher = task_.front->watcher();
-        hilscher::packet_header head{};
-        static_cast<void>(wire::decode_prefix(head, packet));
-        if (head.ul_cmd == hilscher::packet_command::sdo_upload_req)
-            watcher.asks_report(*task_.front, packet);
-        else
-            watcher.translated(*task_.front, packet);
-    }
+    JAUSCAT_FUNCTION void take_step(const exchange_step& step);
+    JAUSCAT_FUNCTION void confirm();
+    JAUSCAT_FUNCTION void end(const exchange_step& step, const ethercat::master_error& error);
+    JAUSCAT_FUNCTION void tell(std::span<const std::byte> packet) const;
 
     static constexpr std::size_t message_size = jaus::header_size + jaus::max_body_size;
 
@@ -142,3 +90,7 @@ class message_lane {
 };
 
 } // namespace jauscat::bridging
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/bridge/impl/message_lane.ipp>
+#endif

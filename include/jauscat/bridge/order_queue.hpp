@@ -1,5 +1,6 @@
 // Queue of messages to a slave: FIFO; keeps only the newest motion command of each sender and code.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/bridge/supersede.hpp>
 #include <jauscat/jaus/message/message.hpp>
@@ -25,9 +26,7 @@ struct order {
 };
 
 /// Whether a message requests a report, and so moves nothing.
-[[nodiscard]] constexpr bool is_query(const jaus::header& head) noexcept {
-    return jaus::report_code_of(head.command_code) != 0;
-}
+[[nodiscard]] JAUSCAT_CONSTEXPR bool is_query(const jaus::header& head) noexcept;
 
 /// The memory of an order_queue: `Orders` messages of at most `Size` bytes of body.
 template <std::size_t Orders = 16, std::size_t Size = 1532> struct order_memory {
@@ -84,11 +83,9 @@ class order_queue {
             if (each.number != 0 && wanted(each) && (found == nullptr || each.number < found->number)) found = &each;
         return found;
     }
-    [[nodiscard]] constexpr bytes body(const order& message) const noexcept {
-        return body_place(message).first(message.size);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bytes body(const order& message) const noexcept;
     /// Frees the place of a message of this queue.
-    constexpr void remove(const order& message) noexcept { orders_[index(message)].number = 0; }
+    JAUSCAT_CONSTEXPR void remove(const order& message) noexcept { orders_[index(message)].number = 0; }
     /// Removes each message for which `unwanted(const order&)` holds; `dropped(const order&)` gets it.
     constexpr void remove_if(auto&& unwanted, auto&& dropped) {
         for (order& each : orders_) {
@@ -99,40 +96,16 @@ class order_queue {
         }
     }
     /// When the first of the waiting messages expires.
-    [[nodiscard]] constexpr std::optional<time_point> next_expiry() const noexcept {
-        const order* const found = earliest();
-        return found == nullptr ? std::nullopt : std::optional{found->expires.at()};
-    }
-    [[nodiscard]] constexpr bool has_one_of(const component& unit) const noexcept {
-        return std::ranges::any_of(orders_, [&](const order& each) { return each.number != 0 && each.unit == &unit; });
-    }
-    [[nodiscard]] constexpr std::size_t size() const noexcept {
-        return static_cast<std::size_t>(
-            std::ranges::count_if(orders_, [](const order& each) { return each.number != 0; }));
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::optional<time_point> next_expiry() const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool has_one_of(const component& unit) const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::size_t size() const noexcept;
 
   private:
     [[nodiscard]] constexpr std::size_t share() const noexcept { return bodies_.size() / orders_.size(); }
-    [[nodiscard]] constexpr std::size_t index(const order& of) const noexcept {
-        return static_cast<std::size_t>(&of - orders_.data());
-    }
-    [[nodiscard]] constexpr std::span<std::byte> body_place(const order& of) const noexcept {
-        return bodies_.subspan(index(of) * share(), share());
-    }
-    [[nodiscard]] constexpr const order* earliest() const noexcept {
-        const order* found = nullptr;
-        for (const order& each : orders_)
-            if (each.number != 0 && (found == nullptr || each.expires < found->expires)) found = &each;
-        return found;
-    }
-    [[nodiscard]] constexpr order* superseded_by(const order& newer) const noexcept {
-        if (!is_superseding(newer.header.command_code)) return nullptr;
-        const auto found = std::ranges::find_if(orders_, [&](const order& each) {
-            return each.number != 0 && each.unit == newer.unit && each.header.source == newer.header.source &&
-                   each.header.command_code == newer.header.command_code;
-        });
-        return found == orders_.end() ? nullptr : &*found;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::size_t index(const order& of) const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::span<std::byte> body_place(const order& of) const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR const order* earliest() const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR order* superseded_by(const order& newer) const noexcept;
 
     std::span<order> orders_;
     std::span<std::byte> bodies_;
@@ -140,3 +113,7 @@ class order_queue {
 };
 
 } // namespace jauscat::bridging
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/bridge/impl/order_queue.ipp>
+#endif

@@ -1,5 +1,6 @@
 // Orders that are repeated until the actuator confirms them: stop orders, and the end of an emergency.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 
 #include <algorithm>
@@ -24,21 +25,11 @@ class pending_stops {
     /// `interval`: from the first refusal to the next attempt; after more of them up to ten times as long.
     constexpr explicit pending_stops(duration interval) noexcept : interval_{interval} {}
 
-    constexpr void require_rest() noexcept {
-        rest_ = true;
-        begin();
-    }
+    JAUSCAT_CONSTEXPR void require_rest() noexcept;
     /// Cancels a pending end of an emergency. Whether the actuator supports emergencies is determined again, because
     /// the device may have been replaced or restarted.
-    constexpr void require_emergency() noexcept {
-        emergency_ = rest_ = true;
-        clear_ = emergency_is_unknown_ = false;
-        begin();
-    }
-    constexpr void require_clear() noexcept {
-        clear_ = true;
-        begin();
-    }
+    JAUSCAT_CONSTEXPR void require_emergency() noexcept;
+    JAUSCAT_CONSTEXPR void require_clear() noexcept;
 
     /// Whether the actuator has yet to confirm that it stops.
     [[nodiscard]] constexpr bool stop_is_pending() const noexcept { return rest_ || emergency_; }
@@ -48,46 +39,19 @@ class pending_stops {
     [[nodiscard]] constexpr bool settled() const noexcept { return !stop_is_pending() && !clear_; }
 
     /// Next order; empty when all are confirmed.
-    [[nodiscard]] constexpr std::optional<stop_order> next() const noexcept {
-        if (emergency_) return rest_ && refusals_ % 2 != 0 ? stop_order::rest : stop_order::emergency;
-        if (rest_)
-            return refusals_ >= attempts_at_rest && refusals_ % 2 != 0 ? stop_order::emergency : stop_order::rest;
-        if (clear_) return stop_order::clear_emergency;
-        return std::nullopt;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::optional<stop_order> next() const noexcept;
     /// Not before this.
     [[nodiscard]] constexpr time_point next_attempt() const noexcept { return next_attempt_; }
     /// Number of consecutive refusals.
     [[nodiscard]] constexpr unsigned refusals() const noexcept { return refusals_; }
 
     /// The actuator has confirmed `what`.
-    constexpr void confirmed(stop_order what) noexcept {
-        switch (what) {
-        case stop_order::emergency: rest_ = emergency_ = false; break;
-        case stop_order::rest: rest_ = false; break;
-        case stop_order::clear_emergency: clear_ = false; break;
-        }
-        if (what == stop_order::rest && emergency_is_unknown_) emergency_ = false;
-        begin();
-    }
+    JAUSCAT_CONSTEXPR void confirmed(stop_order what) noexcept;
     /// The actuator has refused `what`. `unknown`: it has no object for it. An actuator without emergencies only needs
     /// rest. False if the end of an emergency is dropped.
-    [[nodiscard]] constexpr bool refused(stop_order what, bool unknown, time_point now) noexcept {
-        ++refusals_;
-        next_attempt_ = saturating_add(now, interval_ * std::min(refusals_, slowest));
-        if (what == stop_order::emergency && unknown) {
-            emergency_is_unknown_ = true;
-            if (!rest_) emergency_ = false;
-        }
-        if (what != stop_order::clear_emergency || (refusals_ < attempts_at_clear && !unknown)) return true;
-        clear_ = false;
-        return false;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool refused(stop_order what, bool unknown, time_point now) noexcept;
     /// The slave is lost, or has returned: the next attempt is the first.
-    constexpr void begin() noexcept {
-        refusals_ = 0;
-        next_attempt_ = time_point::min();
-    }
+    JAUSCAT_CONSTEXPR void begin() noexcept;
 
   private:
     static constexpr unsigned slowest = 10;
@@ -102,3 +66,7 @@ class pending_stops {
 };
 
 } // namespace jauscat::bridging
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/bridge/impl/pending_stops.ipp>
+#endif

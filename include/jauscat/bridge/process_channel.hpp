@@ -1,5 +1,6 @@
 // The process data of a component's slaves, and the commands in their outputs that are not executed yet.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/bridge/process_part.hpp>
 #include <jauscat/bridge/slave_front.hpp>
@@ -37,9 +38,7 @@ class process_channel {
     };
 
     /// The part and the fronts, 1 to group_capacity, must outlive this.
-    process_channel(process_part& part, std::span<slave_front* const> slaves) noexcept : part_{part} {
-        for (auto* const each : slaves.first(std::min(slaves.size(), group_capacity))) fronts_[count_++] = each;
-    }
+    JAUSCAT_FUNCTION process_channel(process_part& part, std::span<slave_front* const> slaves) noexcept;
 
     [[nodiscard]] process_part& part() const noexcept { return part_; }
     [[nodiscard]] std::span<slave_front* const> fronts() const noexcept { return std::span{fronts_}.first(count_); }
@@ -48,27 +47,13 @@ class process_channel {
     /// Whether the part has ever begun: it needs its steps.
     [[nodiscard]] bool has_begun() const noexcept { return has_begun_; }
     /// Whether messages of this kind go by process data.
-    [[nodiscard]] bool takes(const jaus::header& head) const {
-        return head.data_flag == jaus::data_flag::only && !jaus::is_acknowledgement(head) &&
-               part_.takes(head.command_code);
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION bool takes(const jaus::header& head) const;
     /// Whether a slave is left to bring to rest.
-    [[nodiscard]] bool has_slaves() const noexcept {
-        return std::ranges::any_of(fronts(), [](const slave_front* each) { return !each->data().outputs.empty(); });
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION bool has_slaves() const noexcept;
     /// The ages of all inputs are at most `limit`.
-    [[nodiscard]] bool has_inputs_within(duration limit, time_point now) const noexcept {
-        return std::ranges::all_of(
-            fronts(), [&](const slave_front* each) { return each->data().status.has_inputs_within(limit, now); });
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION bool has_inputs_within(duration limit, time_point now) const noexcept;
 
-    [[nodiscard]] result<void, translate::errc> start(duration period) {
-        has_rest_outputs_ = false;
-        const auto started = part_.start(slaves(), period);
-        is_started_ = static_cast<bool>(started);
-        has_begun_ = has_begun_ || is_started_;
-        return started;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION result<void, translate::errc> start(duration period);
     /// A slave was lost. No command waits any more; `refused(const jaus::header&)` gets those that did.
     void end(auto&& refused) {
         is_started_ = false;
@@ -86,20 +71,12 @@ class process_channel {
 
     [[nodiscard]] bool is_full() const noexcept { return waiting_count_ == waiting_.size(); }
     /// The channel is not full, and no stop order waits.
-    [[nodiscard]] result<std::uint32_t, translate::errc> command(const jaus::header& head, bytes body, duration limit,
-                                                                 time_point now) {
-        const auto number = part_.command(head, body, slaves(), now);
-        if (!number) return number;
-        has_rest_outputs_ = false;
-        waiting_[waiting_count_++] = {head, *number, deadline{now, limit}, {}};
-        return number;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION result<std::uint32_t, translate::errc> command(const jaus::header& head, bytes body,
+                                                                                  duration limit, time_point now);
     /// The outputs are at rest, and no command follows: to be repeated where the slaves are to confirm it.
     [[nodiscard]] bool has_rest_outputs() const noexcept { return has_rest_outputs_; }
     /// A stop order that waits for its execution.
-    [[nodiscard]] std::optional<stop_order> waiting_stop() const noexcept {
-        return waiting_count_ == 0 ? std::nullopt : waiting_[0].stop;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::optional<stop_order> waiting_stop() const noexcept;
     /// Replaces all that waits; `refused(const jaus::header&)` gets the commands. Without a limit no execution is
     /// waited for. Returns its number.
     std::uint32_t stop(stop_order what, std::optional<duration> limit, time_point now, auto&& refused) {
@@ -111,26 +88,9 @@ class process_channel {
     }
     /// The next command that has come to an end. A later command in the same outputs may have arrived before the slave
     /// read them: only the last one is known to be executed.
-    [[nodiscard]] std::optional<ended> next_ended(time_point now) {
-        if (waiting_count_ == 0) return std::nullopt;
-        const auto last = part_.executed(slaves());
-        const auto waits = std::span{waiting_}.first(waiting_count_);
-        const auto found = std::ranges::find_if(
-            waits, [&](const waiting& each) { return has_reached(each.number, last) || each.until.is_reached(now); });
-        if (found == waits.end()) return std::nullopt;
-        const waiting over = *found;
-        std::copy(found + 1, waits.end(), found);
-        --waiting_count_;
-        const auto how = over.number == last               ? outcome::executed
-                         : !has_reached(over.number, last) ? outcome::late
-                         : over.stop                       ? outcome::executed
-                                                           : outcome::superseded;
-        return ended{over.header, how, over.stop};
-    }
-    [[nodiscard]] result<std::span<std::byte>, translate::errc> answer(const jaus::header& query, bytes body,
-                                                                       std::span<std::byte> out) {
-        return part_.answer(query, body, slaves(), out);
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::optional<ended> next_ended(time_point now);
+    [[nodiscard]] JAUSCAT_FUNCTION result<std::span<std::byte>, translate::errc>
+    answer(const jaus::header& query, bytes body, std::span<std::byte> out);
 
   private:
     struct waiting {
@@ -144,10 +104,7 @@ class process_channel {
     [[nodiscard]] static constexpr bool has_reached(std::uint32_t wanted, std::uint32_t last) noexcept {
         return last - wanted <= UINT32_MAX / 2;
     }
-    [[nodiscard]] slave_group slaves() noexcept {
-        for (std::size_t i = 0; i != count_; ++i) data_[i] = fronts_[i]->data();
-        return std::span{std::as_const(data_)}.first(count_);
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION slave_group slaves() noexcept;
 
     process_part& part_;
     std::array<slave_front*, group_capacity> fronts_{};
@@ -160,3 +117,7 @@ class process_channel {
 };
 
 } // namespace jauscat::bridging
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/bridge/impl/process_channel.ipp>
+#endif

@@ -1,5 +1,6 @@
 // The distributed clocks of a ring: the slaves that take part, and the cycles with the reference clock's time.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/ethercat/master/clock_cycle.hpp>
 #include <jauscat/ethercat/master/clock_jobs.hpp>
@@ -49,63 +50,31 @@ class ring_clocks {
     }
     [[nodiscard]] std::span<ethercat::clock_record> chosen() const noexcept { return next_.first(next_count_); }
     /// They are set up.
-    void use(const ethercat::clock_network& network, std::uint64_t system_time, duration period) noexcept {
-        std::ranges::copy(chosen(), used_.begin());
-        used_count_ = next_count_;
-        network_ = network;
-        if (cycle_ && std::ranges::any_of(records(), &ethercat::clock_record::runs))
-            cycle_->set_slaves(records(), network_);
-        else
-            begin(system_time, period);
-    }
+    JAUSCAT_FUNCTION void use(const ethercat::clock_network& network, std::uint64_t system_time,
+                              duration period) noexcept;
     /// The cycles have another period: they follow the reference clock anew. 0: there are none.
-    void set_period(duration period) noexcept {
-        if (!cycle_ || period == period_) return;
-        if (period == duration{}) return stop();
-        const auto reference = cycle_->reference();
-        begin(cycle_->reference_time(), period);
-        cycle_->set_reference(reference);
-    }
+    JAUSCAT_FUNCTION void set_period(duration period) noexcept;
     /// They could not be set up.
-    void leave_out(std::uint16_t station) noexcept {
-        if (station != 0 && !is_left_out(station)) left_out_[left_out_count_++ % left_out_.size()] = station;
-    }
+    JAUSCAT_FUNCTION void leave_out(std::uint16_t station) noexcept;
     /// The slaves of the ring are others.
-    void leave_out_none() noexcept {
-        left_out_ = {};
-        left_out_count_ = 0;
-    }
+    JAUSCAT_FUNCTION void leave_out_none() noexcept;
 
     /// Those in use.
     [[nodiscard]] std::span<ethercat::clock_record> records() const noexcept { return used_.first(used_count_); }
-    [[nodiscard]] ethercat::clock_record* find(std::uint16_t station) const noexcept {
-        const auto found = std::ranges::find(records(), station, &ethercat::clock_record::station);
-        return found == records().end() ? nullptr : &*found;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION ethercat::clock_record* find(std::uint16_t station) const noexcept;
     /// The slave is lost: its time is no reference any more, also where it returns before that was noticed.
-    void lost(std::uint16_t station) noexcept {
-        if (cycle_ && !cycle_->is_lost() && records()[cycle_->reference()].station == station)
-            cycle_->replace_reference();
-    }
+    JAUSCAT_FUNCTION void lost(std::uint16_t station) noexcept;
 
     void begin_cycle() noexcept { is_due_ = runs(); }
-    [[nodiscard]] std::size_t next_frame(std::span<std::byte> frame, time_point now, duration late) noexcept {
-        if (!cycle_ || !std::exchange(is_due_, false)) return 0;
-        return cycle_->next_frame(frame, now, late);
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::size_t next_frame(std::span<std::byte> frame, time_point now,
+                                                          duration late) noexcept;
     bool on_frame(std::span<const std::byte> frame) noexcept { return cycle_ && cycle_->on_frame(frame); }
     /// By how much later the next cycle is due.
     duration end_cycle() noexcept { return cycle_ ? cycle_->end_cycle() : duration{}; }
 
   private:
-    void begin(std::uint64_t system_time, duration period) noexcept {
-        period_ = period;
-        cycle_.emplace(records(), network_, system_time,
-                       ethercat::clock_watch_options{.control = ethercat::cycle_control_options::of_period(period)});
-    }
-    [[nodiscard]] bool is_left_out(std::uint16_t station) const noexcept {
-        return std::ranges::find(left_out_, station) != left_out_.end();
-    }
+    JAUSCAT_FUNCTION void begin(std::uint64_t system_time, duration period) noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION bool is_left_out(std::uint16_t station) const noexcept;
 
     std::span<ethercat::clock_record> used_, next_;
     std::size_t used_count_{}, next_count_{};
@@ -118,3 +87,7 @@ class ring_clocks {
 };
 
 } // namespace jauscat::bridging
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/bridge/impl/ring_clocks.ipp>
+#endif

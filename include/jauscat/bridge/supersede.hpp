@@ -1,5 +1,6 @@
 // Motion commands that supersede older ones of their kind, and how a queued one is merged.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/schema/jaus/environment_sensor.hpp>
 #include <jauscat/schema/jaus/manipulator.hpp>
 #include <jauscat/schema/jaus/payload.hpp>
@@ -32,9 +33,7 @@ inline constexpr std::array<std::uint16_t, 10> superseding_commands{
     jaus::command_code_of<jaus::set_camera_pose>,
 };
 
-[[nodiscard]] constexpr bool is_superseding(std::uint16_t command_code) noexcept {
-    return std::ranges::find(superseding_commands, command_code) != superseding_commands.end();
-}
+[[nodiscard]] JAUSCAT_CONSTEXPR bool is_superseding(std::uint16_t command_code) noexcept;
 
 namespace detail {
 
@@ -63,23 +62,13 @@ merge_fields(std::span<const std::byte> older, std::span<const std::byte> newer,
 /// Merges two commands into `out`, which may be the memory of `older`; returns the size. Fields under a presence vector
 /// that `newer` omits are those of `older`. Empty if a body does not decode or `out` is too small; `out` is then
 /// unchanged.
-[[nodiscard]] constexpr std::optional<std::size_t> merge(std::uint16_t command_code, std::span<const std::byte> older,
-                                                         std::span<const std::byte> newer,
-                                                         std::span<std::byte> out) noexcept {
-    switch (command_code) {
-    case jaus::command_code_of<jaus::set_wrench_effort>:
-        return detail::merge_fields<jaus::set_wrench_effort>(older, newer, out);
-    case jaus::command_code_of<jaus::set_global_vector>:
-        return detail::merge_fields<jaus::set_global_vector>(older, newer, out);
-    case jaus::command_code_of<jaus::set_local_vector>:
-        return detail::merge_fields<jaus::set_local_vector>(older, newer, out);
-    case jaus::command_code_of<jaus::set_camera_pose>:
-        return detail::merge_fields<jaus::set_camera_pose>(older, newer, out);
-    default: // all fields are mandatory
-        if (newer.size() > out.size()) return std::nullopt;
-        std::ranges::copy(newer, out.begin());
-        return newer.size();
-    }
-}
+[[nodiscard]] JAUSCAT_CONSTEXPR std::optional<std::size_t> merge(std::uint16_t command_code,
+                                                                 std::span<const std::byte> older,
+                                                                 std::span<const std::byte> newer,
+                                                                 std::span<std::byte> out) noexcept;
 
 } // namespace jauscat::bridging
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/bridge/impl/supersede.ipp>
+#endif

@@ -30,7 +30,7 @@ inline constexpr std::string_view exact_size = "ExactSize";         ///< of an o
 
 /// The content of the SII of the emulated slave of that description: standard_objects and the objects of components
 /// describe themselves.
-[[nodiscard]] constexpr ethercat::sii_image make_sii(const ethercat::slave_description& slave) noexcept {
+[[nodiscard]] inline ethercat::sii_image make_sii(const ethercat::slave_description& slave) noexcept {
     return ethercat::make_sii_image(slave, {.sdo_information = true, .complete_access = true});
 }
 

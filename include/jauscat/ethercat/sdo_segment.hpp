@@ -1,6 +1,7 @@
 // A segment of an SDO transfer. Downloads and uploads use the same format.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/schema/ethercat/coe.hpp>
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/encode.hpp>
@@ -24,23 +25,16 @@ inline constexpr std::size_t segment_overhead = wire::max_size<sdo_segment_heade
 
 /// Writes a segment (or, without data, the answer to one) to the front of `out`, which holds `segment_size` bytes, and
 /// returns its size. The header's count of unused bytes is filled in where `data` are to be counted.
-[[nodiscard]] inline std::size_t encode_segment(sdo_segment_header header, std::span<const std::byte> data,
-                                                std::span<std::byte> out) noexcept {
-    const std::size_t size = segment_size(data.size());
-    const bool carries_data = header.specifier == sdo_specifier::download_segment_request;
-    if (carries_data) header.unused = static_cast<std::uint8_t>(size - segment_overhead - data.size());
-    const auto room = out.subspan(wire::encode(header, out)->size()).first(size - segment_overhead);
-    std::ranges::fill(std::ranges::copy(data, room.begin()).out, room.end(), std::byte{});
-    return size;
-}
+[[nodiscard]] JAUSCAT_FUNCTION std::size_t encode_segment(sdo_segment_header header, std::span<const std::byte> data,
+                                                          std::span<std::byte> out) noexcept;
 
 /// The data of the segment `segment` with the decoded header `header`. Segments that are not filled up, as some senders
 /// leave them, are accepted.
-[[nodiscard]] inline std::span<const std::byte> segment_data(const sdo_segment_header& header,
-                                                             std::span<const std::byte> segment) noexcept {
-    const auto data = segment.subspan(segment_overhead);
-    if (data.size() > min_segment_data) return data;
-    return data.first(std::min(data.size(), min_segment_data - header.unused));
-}
+[[nodiscard]] JAUSCAT_FUNCTION std::span<const std::byte> segment_data(const sdo_segment_header& header,
+                                                                       std::span<const std::byte> segment) noexcept;
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/impl/sdo_segment.ipp>
+#endif

@@ -2,6 +2,7 @@
 #pragma once
 #include <jauscat/app/bridge_options.hpp>
 #include <jauscat/app/bus_options.hpp>
+#include <jauscat/app/detail/unit.hpp>
 #include <jauscat/app/impl/bus_state.hpp>
 #include <jauscat/app/impl/node_part.hpp>
 #include <jauscat/bridge/any_exchange.hpp>
@@ -99,6 +100,9 @@ class renumbered_exchange final : public bridging::any_exchange {
     std::uint8_t node_, station_;
     std::vector<std::byte> message_{};
 };
+
+/// Process data of a Primitive Driver without an image of its own.
+[[nodiscard]] JAUSCAT_DECL std::unique_ptr<bridging::process_part> make_wrench_effort_part();
 
 /// A slave of a bridge, with the components in front of it.
 class served_slave final : public bus_user {

@@ -28,6 +28,10 @@ class bus_state;
 
 /// The master's error, as an operation has it.
 [[nodiscard]] JAUSCAT_DECL error_code error_of(const ethercat::master_error& error) noexcept;
+/// How a log calls the slave.
+[[nodiscard]] JAUSCAT_DECL std::string name_of(const slave_info& slave);
+/// The times of a ring, without those of bridges.
+[[nodiscard]] JAUSCAT_DECL bridging::bridge_options timing_of(const bus_options& options);
 
 /// Something for the master to do in one job or more. It is told when it has come to an end.
 class bus_job {
@@ -92,6 +96,8 @@ struct bus_slave {
     bool is_prepared{};    ///< it is that of its name, with its start-up objects since it was brought up
     bool is_absent{};      ///< it is not in the ring; its position is the last one
     time_point next_try{}; ///< to bring it up
+
+    JAUSCAT_DECL void identify(const ethercat::slave_record& record) noexcept;
 };
 
 /// A slave in OP whose process data the application exchanges.

@@ -2,6 +2,7 @@
 // an argument.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/result.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/ethercat/cia402/axis_errc.hpp>
@@ -87,131 +88,47 @@ class axis {
     /// The drive's state; nothing without feedback, or where the statusword stands for none.
     [[nodiscard]] constexpr std::optional<cia402::state> drive_state() const noexcept { return seen_; }
 
-    [[nodiscard]] constexpr axis_state state() const noexcept {
-        if (reset_ != reset_phase::none) return axis_state::resetting;
-        if (error_.code != axis_errc::ok) return axis_state::failed;
-        if (!has_feedback_) return axis_state::unknown;
-        if (goal_ == goal::on) return is_synchronised_ ? axis_state::enabled : axis_state::enabling;
-        const bool has_torque = !seen_ || *seen_ == cia402::state::operation_enabled ||
-                                (*seen_ == cia402::state::quick_stop_active && !is_at_standstill());
-        return has_torque ? axis_state::stopping : axis_state::disabled;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR axis_state state() const noexcept;
 
     /// To operation enabled, one transition for each status. Error: has_failed.
-    constexpr result<void, axis_errc> enable() noexcept {
-        if (error_.code != axis_errc::ok) return axis_errc::has_failed;
-        if (goal_ != goal::on) change_goal(goal::on);
-        return {};
-    }
+    JAUSCAT_CONSTEXPR result<void, axis_errc> enable() noexcept;
     /// Brings the axis to rest by ramp, then to switch on disabled.
-    constexpr void disable() noexcept {
-        if (goal_ == goal::on) change_goal(goal::off);
-    }
+    JAUSCAT_CONSTEXPR void disable() noexcept;
     /// To rest by the drive's quick stop (605Ah), and off.
-    constexpr void quick_stop() noexcept { change_goal(goal::quick_stop); }
+    JAUSCAT_CONSTEXPR void quick_stop() noexcept { change_goal(goal::quick_stop); }
     /// While `on`, the axis comes to rest and stays enabled; targets set before are discarded, also the set-point of a
     /// drive in profile position.
-    constexpr void halt(bool on) noexcept {
-        is_after_halt_ = is_after_halt_ || (halted_ && !on);
-        halted_ = on;
-        forget_targets();
-    }
+    JAUSCAT_CONSTEXPR void halt(bool on) noexcept;
     /// Clears the error; resets a fault of the drive by the edge of its bit. The axis is off afterwards.
-    constexpr void reset() noexcept {
-        error_ = {};
-        if (goal_ == goal::on) change_goal(goal::off);
-        attempts_ = 0;
-        if (has_fault()) reset_ = reset_phase::requested;
-    }
+    JAUSCAT_CONSTEXPR void reset() noexcept;
     /// Changes the mode of operation. Targets set before are discarded; the axis goes on as fast as it moves, and comes
     /// to rest by ramp.
-    constexpr void set_mode(mode wanted) noexcept {
-        if (wanted == targets_.mode) return;
-        targets_.mode = wanted;
-        lose_synchronisation();
-        mode_since_.reset();
-    }
+    JAUSCAT_CONSTEXPR void set_mode(mode wanted) noexcept;
 
     /// Modes: cyclic synchronous position, through a profile within the limits; profile position. Errors: not_enabled,
     /// wrong_mode.
-    constexpr result<acceptance, axis_errc> move_to(std::int32_t position) noexcept {
-        if (const auto refused = refusal(is_position_mode()); refused != axis_errc::ok) return refused;
-        position_goal_ = std::clamp(position, options_.min_position, options_.max_position);
-        is_offered_ = false;
-        return accepted(*position_goal_ == position);
-    }
+    JAUSCAT_CONSTEXPR result<acceptance, axis_errc> move_to(std::int32_t position) noexcept;
     /// Modes: cyclic synchronous velocity, by ramp; profile velocity. Errors: not_enabled, wrong_mode.
-    constexpr result<acceptance, axis_errc> run_at(std::int32_t velocity) noexcept {
-        if (const auto refused = refusal(is_velocity_mode()); refused != axis_errc::ok) return refused;
-        velocity_goal_ = std::clamp(static_cast<double>(velocity), -options_.max_velocity, options_.max_velocity);
-        return accepted(velocity_goal_ == velocity);
-    }
+    JAUSCAT_CONSTEXPR result<acceptance, axis_errc> run_at(std::int32_t velocity) noexcept;
     /// Modes: cyclic synchronous torque, profile torque; by ramp. Errors: not_enabled, wrong_mode.
-    constexpr result<acceptance, axis_errc> push_with(std::int16_t torque) noexcept {
-        if (const auto refused = refusal(is_torque_mode()); refused != axis_errc::ok) return refused;
-        torque_goal_ = std::clamp(static_cast<int>(torque), -options_.max_torque, int{options_.max_torque});
-        return accepted(torque_goal_ == torque);
-    }
+    JAUSCAT_CONSTEXPR result<acceptance, axis_errc> push_with(std::int16_t torque) noexcept;
     /// Mode: homing, by the method in 6098h. Errors: not_enabled, wrong_mode.
-    constexpr result<void, axis_errc> home() noexcept {
-        if (const auto refused = refusal(targets_.mode == mode::homing); refused != axis_errc::ok) return refused;
-        is_homing_ = true;
-        is_homed_ = false;
-        homing_cycles_ = 0;
-        return {};
-    }
+    JAUSCAT_CONSTEXPR result<void, axis_errc> home() noexcept;
     /// The last `home` has ended with success.
     [[nodiscard]] constexpr bool is_homed() const noexcept { return is_homed_; }
     /// All targets have been reached, or none was set: profile at its end, set-point taken and reached, velocity there.
-    [[nodiscard]] constexpr bool is_target_reached() const noexcept {
-        switch (targets_.mode) {
-        case mode::cyclic_synchronous_position:
-            return profile_.velocity() == 0 && (!position_goal_ || targets_.position == *position_goal_);
-        case mode::profile_position:
-            return handshake_ == handshake::idle && (!position_goal_ || is_offered_) &&
-                   has_bit(status_bits::target_reached);
-        case mode::cyclic_synchronous_velocity: return profile_.velocity() * velocity_factor() == velocity_goal_;
-        case mode::profile_velocity: return has_bit(status_bits::target_reached);
-        case mode::homing: return !is_homing_;
-        default: return torque_ == torque_goal_;
-        }
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool is_target_reached() const noexcept;
     /// The last velocity is at most `axis_options::standstill`.
-    [[nodiscard]] constexpr bool is_at_standstill() const noexcept {
-        return detail::magnitude(feedback_.velocity) <= options_.standstill;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool is_at_standstill() const noexcept;
     /// The drive reports that it is behind its target position (bit 13), before or without a fault.
-    [[nodiscard]] constexpr bool has_following_error() const noexcept {
-        return is_position_mode() && seen_ == ds::operation_enabled && has_bit(status_bits::following_error);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool has_following_error() const noexcept;
     /// The drive reports that a limit of its own is active.
     [[nodiscard]] constexpr bool is_limited_by_drive() const noexcept { return has_bit(status_bits::internal_limit); }
 
     /// One cycle with current feedback: the targets for the next outputs.
-    constexpr const axis_targets& on_cycle(const axis_feedback& feedback, time_point now) noexcept {
-        feedback_ = feedback;
-        const auto seen = state_of(feedback.statusword);
-        if (seen != seen_ || !has_feedback_ || goal_changed_) since_ = now;
-        goal_changed_ = false;
-        has_feedback_ = true;
-        seen_ = seen;
-        if (has_fault()) on_fault();
-        targets_.controlword = next_control(now);
-        move(now);
-        return targets_;
-    }
+    JAUSCAT_CONSTEXPR const axis_targets& on_cycle(const axis_feedback& feedback, time_point now) noexcept;
     /// One cycle without current feedback: the axis has failed, and its outputs request the quick stop.
-    constexpr const axis_targets& on_lost() noexcept {
-        if (has_feedback_) fail(axis_errc::inputs_lost);
-        has_feedback_ = false;
-        goal_ = goal::quick_stop;
-        reset_ = reset_phase::none;
-        lose_synchronisation();
-        targets_.controlword = control_of(command::quick_stop);
-        targets_.velocity = 0;
-        targets_.torque = 0;
-        return targets_;
-    }
+    JAUSCAT_CONSTEXPR const axis_targets& on_lost() noexcept;
 
   private:
     using ds = cia402::state;
@@ -222,301 +139,48 @@ class axis {
     // Cycles after the start of homing in which its status may be that of an earlier one.
     static constexpr unsigned homing_latency = 4;
 
-    [[nodiscard]] constexpr bool is_position_mode() const noexcept {
-        return targets_.mode == mode::cyclic_synchronous_position || targets_.mode == mode::profile_position;
-    }
-    [[nodiscard]] constexpr bool is_velocity_mode() const noexcept {
-        return targets_.mode == mode::cyclic_synchronous_velocity || targets_.mode == mode::profile_velocity;
-    }
-    [[nodiscard]] constexpr bool is_torque_mode() const noexcept {
-        return targets_.mode == mode::cyclic_synchronous_torque || targets_.mode == mode::profile_torque;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool is_position_mode() const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool is_velocity_mode() const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool is_torque_mode() const noexcept;
     [[nodiscard]] constexpr bool has_bit(std::uint16_t bit) const noexcept { return (feedback_.statusword & bit) != 0; }
-    [[nodiscard]] constexpr bool has_fault() const noexcept {
-        return has_feedback_ && (seen_ == ds::fault || seen_ == ds::fault_reaction_active);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool has_fault() const noexcept;
     [[nodiscard]] constexpr double velocity_factor() const noexcept { return options_.velocity_of_position; }
-    [[nodiscard]] constexpr double seconds() const noexcept {
-        return std::chrono::duration<double>{options_.cycle}.count();
-    }
-    [[nodiscard]] constexpr motion_limits limits() const noexcept {
-        const double factor = velocity_factor();
-        return {.velocity = options_.max_velocity / factor,
-                .acceleration = options_.acceleration / factor,
-                .deceleration = options_.deceleration / factor};
-    }
-    [[nodiscard]] static constexpr std::int32_t rounded(double value) noexcept {
-        constexpr double lowest = std::numeric_limits<std::int32_t>::min();
-        constexpr double highest = std::numeric_limits<std::int32_t>::max();
-        return static_cast<std::int32_t>(std::clamp(value + (value < 0 ? -0.5 : 0.5), lowest, highest));
-    }
-    [[nodiscard]] static constexpr acceptance accepted(bool exact) noexcept {
-        return exact ? acceptance::exact : acceptance::limited;
-    }
-    [[nodiscard]] constexpr axis_errc refusal(bool has_target) const noexcept {
-        if (state() != axis_state::enabled || halted_) return axis_errc::not_enabled;
-        return has_target ? axis_errc::ok : axis_errc::wrong_mode;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR double seconds() const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR motion_limits limits() const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR static std::int32_t rounded(double value) noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR static acceptance accepted(bool exact) noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR axis_errc refusal(bool has_target) const noexcept;
 
-    constexpr void change_goal(goal to) noexcept {
-        goal_ = to;
-        goal_changed_ = true;
-        was_enabled_ = false;
-        if (to != goal::off) lose_synchronisation(); // on the way to off, the ramp goes on from where it is
-        forget_targets();
-    }
-    constexpr void forget_targets() noexcept {
-        position_goal_.reset();
-        velocity_goal_ = 0;
-        torque_goal_ = 0;
-        is_homing_ = false;
-    }
-    constexpr void lose_synchronisation() noexcept {
-        is_synchronised_ = false;
-        is_after_halt_ = false;
-        handshake_ = handshake::idle;
-        forget_targets();
-    }
-    constexpr void fail(axis_errc code) noexcept {
-        if (error_.code == axis_errc::ok) error_ = {.code = code, .state = seen_};
-        if (goal_ != goal::quick_stop) change_goal(goal::quick_stop);
-    }
+    JAUSCAT_CONSTEXPR void change_goal(goal to) noexcept;
+    JAUSCAT_CONSTEXPR void forget_targets() noexcept;
+    JAUSCAT_CONSTEXPR void lose_synchronisation() noexcept;
+    JAUSCAT_CONSTEXPR void fail(axis_errc code) noexcept;
 
-    constexpr void on_fault() noexcept {
-        if (reset_ != reset_phase::none) return;
-        if (error_.code == axis_errc::ok) error_ = {.code = axis_errc::drive_fault, .state = seen_};
-        if (error_.drive_code == error_codes::none) error_.drive_code = feedback_.error_code;
-        if (goal_ != goal::off) change_goal(goal::off);
-        lose_synchronisation();
-    }
+    JAUSCAT_CONSTEXPR void on_fault() noexcept;
 
-    [[nodiscard]] constexpr std::uint16_t next_control(time_point now) noexcept {
-        if (has_fault()) return control_in_fault(now);
-        if (reset_ != reset_phase::none) reset_ = reset_phase::none; // the fault has gone
-        const bool is_late = now - since_ >= options_.step_time;
-        switch (goal_) {
-        case goal::on: return control_towards_on(is_late);
-        case goal::off: return control_towards_off(now, is_late);
-        case goal::quick_stop:
-            if (is_late && seen_ == ds::operation_enabled) fail(axis_errc::step_timeout);
-            break;
-        }
-        return control_of(!seen_ || *seen_ != ds::switch_on_disabled ? command::quick_stop : command::disable_voltage);
-    }
-    [[nodiscard]] constexpr std::uint16_t control_in_fault(time_point now) noexcept {
-        const bool has_waited = now - reset_since_ >= options_.reset_time;
-        switch (reset_) {
-        case reset_phase::none: return control_of(command::disable_voltage);
-        case reset_phase::requested: enter(reset_phase::low, now); break;
-        case reset_phase::low:
-            if (has_waited && seen_ == ds::fault) {
-                ++attempts_;
-                enter(reset_phase::high, now);
-            }
-            break;
-        case reset_phase::high:
-            if (!has_waited) break;
-            if (attempts_ < options_.reset_attempts) {
-                enter(reset_phase::low, now);
-            } else {
-                reset_ = reset_phase::none;
-                error_ = {.code = axis_errc::reset_refused, .state = seen_, .drive_code = feedback_.error_code};
-            }
-            break;
-        }
-        return control_of(reset_ == reset_phase::high ? command::fault_reset : command::disable_voltage);
-    }
-    constexpr void enter(reset_phase phase, time_point now) noexcept {
-        reset_ = phase;
-        reset_since_ = now;
-    }
-    [[nodiscard]] constexpr std::uint16_t control_towards_on(bool is_late) noexcept {
-        if (was_enabled_ && seen_ != ds::operation_enabled)
-            fail(axis_errc::enable_lost);
-        else if (is_late && seen_ != ds::operation_enabled)
-            fail(axis_errc::step_timeout);
-        if (goal_ != goal::on) return control_of(command::quick_stop);
-        if (!seen_) return targets_.controlword;
-        switch (*seen_) {
-        case ds::switch_on_disabled: return control_of(command::shutdown);
-        case ds::ready_to_switch_on: return control_of(command::switch_on);
-        case ds::switched_on: return control_of(command::enable_operation);
-        case ds::operation_enabled: was_enabled_ = true; return control_of(command::enable_operation);
-        case ds::quick_stop_active:
-            return control_of(is_at_standstill() ? command::disable_voltage : command::quick_stop);
-        default: return control_of(command::disable_voltage);
-        }
-    }
-    [[nodiscard]] constexpr std::uint16_t control_towards_off(time_point now, bool is_late) noexcept {
-        if (!seen_) return targets_.controlword;
-        switch (*seen_) {
-        case ds::operation_enabled:
-            if (is_resting()) return control_of(command::switch_on); // disable operation
-            return control_of(now - since_ < options_.rest_time ? command::enable_operation : command::quick_stop);
-        case ds::switched_on: break;
-        case ds::quick_stop_active:
-            return control_of(is_at_standstill() ? command::disable_voltage : command::quick_stop);
-        default: return control_of(command::disable_voltage);
-        }
-        if (is_late) fail(axis_errc::step_timeout);
-        return control_of(command::shutdown);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::uint16_t next_control(time_point now) noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::uint16_t control_in_fault(time_point now) noexcept;
+    JAUSCAT_CONSTEXPR void enter(reset_phase phase, time_point now) noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::uint16_t control_towards_on(bool is_late) noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::uint16_t control_towards_off(time_point now, bool is_late) noexcept;
     /// The ramp to rest has ended; without torque an axis may coast.
-    [[nodiscard]] constexpr bool is_resting() const noexcept {
-        if (is_torque_mode()) return torque_ == 0;
-        return profile_.velocity() == 0 && is_at_standstill();
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool is_resting() const noexcept;
 
-    constexpr void move(time_point now) noexcept {
-        if (seen_ != ds::operation_enabled) {
-            was_seen_enabled_ = false;
-            hold();
-            return;
-        }
-        if (goal_ == goal::quick_stop) { // the statusword follows one cycle later
-            hold();
-            return;
-        }
-        if (!std::exchange(was_seen_enabled_, true)) mode_since_.reset();
-        if (goal_ == goal::on && !synchronise(now)) return;
-        step(now);
-    }
+    JAUSCAT_CONSTEXPR void move(time_point now) noexcept;
     /// Targets that do not move the axis, whichever mode it is in.
-    constexpr void hold() noexcept {
-        is_synchronised_ = false;
-        profile_.reset(feedback_.position, 0);
-        torque_ = 0;
-        targets_.position = feedback_.position;
-        targets_.velocity = 0;
-        targets_.torque = 0;
-    }
+    JAUSCAT_CONSTEXPR void hold() noexcept;
     /// Until the drive shows the mode, and follows its target position where the mode has one, targets are where the
     /// axis is and as fast as it moves.
-    constexpr bool synchronise(time_point now) noexcept {
-        const bool shows_mode = feedback_.mode == targets_.mode;
-        const bool follows = targets_.mode != mode::cyclic_synchronous_position || has_bit(status_bits::follows_target);
-        if (shows_mode && follows) {
-            if (!is_synchronised_) take_over();
-            is_synchronised_ = true;
-            mode_since_.reset();
-            return true;
-        }
-        if (is_synchronised_) lose_synchronisation(); // no longer follows: the target is discarded
-        if (!mode_since_) mode_since_ = now;
-        if (now - *mode_since_ >= options_.step_time) {
-            fail(shows_mode ? axis_errc::not_following : axis_errc::mode_refused);
-            targets_.controlword = control_of(command::quick_stop);
-        }
-        take_over();
-        return false;
-    }
-    constexpr void take_over() noexcept {
-        const auto velocity = is_at_standstill() ? 0 : feedback_.velocity;
-        profile_.reset(feedback_.position, velocity / velocity_factor());
-        torque_ = 0;
-        targets_.position = feedback_.position;
-        targets_.velocity = velocity;
-        targets_.torque = 0;
-    }
+    JAUSCAT_CONSTEXPR bool synchronise(time_point now) noexcept;
+    JAUSCAT_CONSTEXPR void take_over() noexcept;
 
-    constexpr void step(time_point now) noexcept {
-        const bool rests = goal_ != goal::on || halted_;
-        switch (targets_.mode) {
-        case mode::cyclic_synchronous_position:
-            if (position_goal_ && !rests)
-                profile_.step_to(*position_goal_, limits(), seconds());
-            else
-                profile_.step_at(0, limits(), seconds());
-            targets_.position = rounded(profile_.position());
-            targets_.velocity = rounded(profile_.velocity() * velocity_factor());
-            break;
-        case mode::cyclic_synchronous_velocity:
-            profile_.step_at(rests ? 0 : allowed_velocity(), limits(), seconds());
-            targets_.position = feedback_.position;
-            targets_.velocity = rounded(profile_.velocity() * velocity_factor());
-            break;
-        case mode::cyclic_synchronous_torque:
-        case mode::profile_torque:
-            torque_ = detail::approach(torque_, rests ? 0 : allowed_torque(), options_.torque_slope * seconds());
-            targets_.position = feedback_.position;
-            targets_.torque = static_cast<std::int16_t>(rounded(torque_));
-            break;
-        case mode::profile_velocity:
-            profile_.reset(feedback_.position, 0); // the drive has the ramp
-            targets_.position = feedback_.position;
-            targets_.velocity = rests ? 0 : rounded(allowed_velocity() * velocity_factor());
-            if (rests) targets_.controlword |= control_bits::halt;
-            break;
-        case mode::profile_position:
-            profile_.reset(feedback_.position, 0);
-            if (rests) {
-                targets_.controlword |= control_bits::halt;
-                handshake_ = handshake::idle;
-            } else {
-                offer_set_point(now);
-            }
-            break;
-        case mode::homing:
-            profile_.reset(feedback_.position, 0);
-            if (rests)
-                targets_.controlword |= control_bits::halt;
-            else
-                watch_homing();
-            break;
-        default: break;
-        }
-    }
+    JAUSCAT_CONSTEXPR void step(time_point now) noexcept;
     /// The commanded velocity in units of position a second, so that the axis stops before its limits.
-    [[nodiscard]] constexpr double allowed_velocity() const noexcept {
-        const double at = feedback_.position, deceleration = limits().deceleration;
-        return std::clamp(velocity_goal_ / velocity_factor(),
-                          -stopping_velocity(at - options_.min_position, deceleration, seconds()),
-                          stopping_velocity(options_.max_position - at, deceleration, seconds()));
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR double allowed_velocity() const noexcept;
     /// The commanded torque; none further out at a limit of the position, or faster at that of the velocity.
-    [[nodiscard]] constexpr double allowed_torque() const noexcept {
-        const bool upwards = torque_goal_ > 0, downwards = torque_goal_ < 0;
-        const bool is_limited =
-            (upwards && (feedback_.position >= options_.max_position || feedback_.velocity >= options_.max_velocity)) ||
-            (downwards &&
-             (feedback_.position <= options_.min_position || feedback_.velocity <= -options_.max_velocity));
-        return is_limited ? 0 : torque_goal_;
-    }
-    constexpr void offer_set_point(time_point now) noexcept {
-        const bool acknowledged = has_bit(status_bits::set_point_acknowledged);
-        if (is_after_halt_ && !position_goal_) {
-            position_goal_ = feedback_.position;
-            is_offered_ = false;
-        }
-        if (handshake_ == handshake::idle && position_goal_ && !is_offered_ && !acknowledged) {
-            targets_.position = *position_goal_;
-            targets_.profile_velocity = static_cast<std::uint32_t>(rounded(options_.max_velocity));
-            handshake_ = handshake::offered;
-            is_offered_ = true;
-            is_after_halt_ = false;
-            handshake_since_ = now;
-        } else if (handshake_ == handshake::offered && acknowledged) {
-            handshake_ = handshake::released;
-        } else if (handshake_ == handshake::released && !acknowledged) {
-            handshake_ = handshake::idle;
-        }
-        if (is_after_halt_) targets_.controlword |= control_bits::halt; // it would go on to its last set-point
-        if (handshake_ != handshake::offered) return;
-        targets_.controlword |= control_bits::new_set_point | control_bits::change_immediately;
-        if (now - handshake_since_ >= options_.step_time) fail(axis_errc::not_acknowledged);
-    }
-    constexpr void watch_homing() noexcept {
-        if (!is_homing_) return;
-        targets_.controlword |= control_bits::start_homing;
-        if (homing_cycles_ < homing_latency) {
-            ++homing_cycles_;
-        } else if (has_bit(status_bits::homing_error)) {
-            fail(axis_errc::homing_failed);
-        } else if (has_bit(status_bits::homing_attained) && has_bit(status_bits::target_reached)) {
-            is_homing_ = false;
-            is_homed_ = true;
-        }
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR double allowed_torque() const noexcept;
+    JAUSCAT_CONSTEXPR void offer_set_point(time_point now) noexcept;
+    JAUSCAT_CONSTEXPR void watch_homing() noexcept;
 
     axis_options options_{};
     axis_feedback feedback_{};
@@ -551,3 +215,7 @@ class axis {
 };
 
 } // namespace jauscat::cia402
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/cia402/impl/axis.ipp>
+#endif

@@ -1,6 +1,7 @@
 // The objects of one axis in process data: targets out, feedback in.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/cia402/axis.hpp>
 #include <jauscat/ethercat/cia402/pdo_layout.hpp>
 
@@ -30,43 +31,11 @@ struct axis_places {
     /// The mode where 6061h is not mapped: the one that 6060h has been set to by SDO.
     cia402::mode fixed_mode{};
 
-    constexpr void store(const axis_targets& targets, std::span<std::byte> outputs) const noexcept {
-        cia402::store(controlword, outputs, targets.controlword);
-        cia402::store(mode, outputs, static_cast<std::int8_t>(targets.mode));
-        cia402::store(target_position, outputs, targets.position);
-        cia402::store(target_velocity, outputs, targets.velocity);
-        cia402::store(target_torque, outputs, targets.torque);
-        cia402::store(profile_velocity, outputs, targets.profile_velocity);
-    }
-    [[nodiscard]] constexpr axis_feedback load(std::span<const std::byte> inputs) const noexcept {
-        return {.statusword = cia402::load<std::uint16_t>(statusword, inputs),
-                .mode = mode_display.is_mapped() ? cia402::load<cia402::mode>(mode_display, inputs) : fixed_mode,
-                .position = cia402::load<std::int32_t>(position, inputs),
-                .velocity = cia402::load<std::int32_t>(velocity, inputs),
-                .torque = cia402::load<std::int16_t>(torque, inputs),
-                .error_code = cia402::load<std::uint16_t>(error_code, inputs)};
-    }
+    JAUSCAT_CONSTEXPR void store(const axis_targets& targets, std::span<std::byte> outputs) const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR axis_feedback load(std::span<const std::byte> inputs) const noexcept;
     /// The first object that `mode` needs and the process data do not have; nullptr if it can be used. A drive with
     /// objects that are not mapped uses their last value by SDO, or a fault.
-    [[nodiscard]] constexpr const object* missing_for(cia402::mode wanted) const noexcept {
-        if (!controlword.is_mapped()) return &objects::controlword;
-        if (!statusword.is_mapped()) return &objects::statusword;
-        if (!mode.is_mapped() && fixed_mode != wanted) return &objects::mode_of_operation;
-        switch (wanted) {
-        case cia402::mode::profile_position:
-        case cia402::mode::cyclic_synchronous_position:
-            if (!target_position.is_mapped()) return &objects::target_position;
-            return position.is_mapped() ? nullptr : &objects::position_actual;
-        case cia402::mode::profile_velocity:
-        case cia402::mode::cyclic_synchronous_velocity:
-            if (!target_velocity.is_mapped()) return &objects::target_velocity;
-            return velocity.is_mapped() ? nullptr : &objects::velocity_actual;
-        case cia402::mode::profile_torque:
-        case cia402::mode::cyclic_synchronous_torque:
-            return target_torque.is_mapped() ? nullptr : &objects::target_torque;
-        default: return nullptr;
-        }
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR const object* missing_for(cia402::mode wanted) const noexcept;
 };
 
 /// The places of axis `axis` (from 0) of a drive with these process data.
@@ -86,3 +55,7 @@ struct axis_places {
 }
 
 } // namespace jauscat::cia402
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/cia402/impl/axis_places.ipp>
+#endif

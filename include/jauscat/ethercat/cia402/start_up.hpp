@@ -1,6 +1,7 @@
 // Objects of an axis that have to be right before its process data run.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/ethercat/cia402/axis_places.hpp>
 #include <jauscat/schema/ethercat/cia402_objects.hpp>
@@ -24,18 +25,7 @@ struct interpolation_period {
 
 /// `cycle` as 60C2h has it: in milliseconds where that is possible. Nothing for 0, and for times that are no multiple
 /// of a power of ten by 1 to 255.
-[[nodiscard]] constexpr std::optional<interpolation_period> interpolation_period_of(duration cycle) noexcept {
-    constexpr std::int64_t highest = std::numeric_limits<std::uint8_t>::max();
-    constexpr int milliseconds = -3;
-    std::int64_t count = std::chrono::nanoseconds{cycle}.count();
-    int index = -9;
-    while (count > 0 && count % 10 == 0 && (index < milliseconds || count > highest)) {
-        count /= 10;
-        ++index;
-    }
-    if (count <= 0 || count > highest) return {};
-    return interpolation_period{static_cast<std::uint8_t>(count), static_cast<std::int8_t>(index)};
-}
+[[nodiscard]] JAUSCAT_CONSTEXPR std::optional<interpolation_period> interpolation_period_of(duration cycle) noexcept;
 
 /// An object and the value to write.
 struct start_up_value {
@@ -49,19 +39,10 @@ class axis_start_up {
   public:
     constexpr axis_start_up() noexcept = default;
     /// Without 60C2h where `cycle` has no interpolation_period.
-    constexpr axis_start_up(duration cycle, const axis_places& places, std::size_t axis = 0) noexcept {
-        if (const auto period = interpolation_period_of(cycle)) {
-            append(objects::interpolation_time, axis, period->value);
-            append(objects::interpolation_index, axis, period->index);
-        }
-        if (!places.mode.is_mapped() && places.fixed_mode != mode::none)
-            append(objects::mode_of_operation, axis, static_cast<std::int8_t>(places.fixed_mode));
-    }
+    JAUSCAT_CONSTEXPR axis_start_up(duration cycle, const axis_places& places, std::size_t axis = 0) noexcept;
 
     /// To be written in PRE-OP, in this order.
-    [[nodiscard]] constexpr std::span<const start_up_value> values() const noexcept {
-        return std::span{values_}.first(count_);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::span<const start_up_value> values() const noexcept;
 
     static constexpr std::size_t capacity = 3;
 
@@ -75,3 +56,7 @@ class axis_start_up {
 };
 
 } // namespace jauscat::cia402
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/cia402/impl/start_up.ipp>
+#endif

@@ -1,6 +1,7 @@
 // Executes a request packet of a Hilscher card with the master.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/hilscher/packet_emergencies.hpp>
 #include <jauscat/ethercat/hilscher/packet_info.hpp>
 #include <jauscat/ethercat/hilscher/packet_scan.hpp>
@@ -27,50 +28,20 @@ class packet_job {
         wire::max_size<hilscher::packet_header> + hilscher::max_packet_body;
 
     /// Executes `request`; the answer is written to `confirmation`. Both must outlive this.
-    packet_job(std::span<const std::byte> request, std::span<std::byte> confirmation,
-               const packet_options& options = {}) noexcept
-        : io_{request, confirmation.first(std::min(confirmation.size(), confirmation_size)), options} {}
+    JAUSCAT_FUNCTION packet_job(std::span<const std::byte> request, std::span<std::byte> confirmation,
+                                const packet_options& options = {}) noexcept;
 
     /// Starts the requested service. If it returns false, no job of the master runs: call `finish`.
-    [[nodiscard]] bool start(master& m) noexcept {
-        if (!wire::decode_prefix(head_, io_.request) || is_answer(head_)) return false;
-        status_ = check_header();
-        if (status_ != packet_status::ok) return false;
-        switch (head_.ul_cmd) {
-        case packet_command::sdo_download_req: return begin<packet_download>(m);
-        case packet_command::sdo_upload_req: return begin<packet_upload>(m);
-        case packet_command::get_od_list_req: return begin<packet_od_list>(m);
-        case packet_command::get_object_description_req: return begin<packet_object>(m);
-        case packet_command::get_entry_description_req: return begin<packet_entry>(m);
-        case packet_command::get_state_req: return begin<packet_get_state>(m);
-        case packet_command::set_state_req: return begin<packet_set_state>(m);
-        case packet_command::start_bus_scan_req: return begin<packet_start_scan>(m);
-        case packet_command::get_bus_scan_info_req: return begin<packet_scan_info>(m);
-        case packet_command::get_slave_handles_req: return begin<packet_slave_handles>(m);
-        case packet_command::read_emergencies_req: return begin<packet_emergencies>(m);
-        default: status_ = packet_status::unknown_command; return false;
-        }
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION bool start(master& m) noexcept;
 
     /// The master's job has ended. True if another one runs now.
-    [[nodiscard]] bool next(master& m) noexcept {
-        if (!runs_) return false;
-        if (error_ == master_error{}) error_ = m.error();
-        return std::visit([&](auto& service) { return take(next_of(service, m)); }, service_);
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION bool next(master& m) noexcept;
 
     /// Writes the confirmation and returns its size, 40 to 1596 bytes; 0 where the request is no request packet or the
     /// confirmation has no room. A service of several jobs that `next` has not seen through has failed.
-    [[nodiscard]] std::size_t finish(const master& m) noexcept {
-        return finish(m, has_run_ ? m.error() : master_error{});
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::size_t finish(const master& m) noexcept;
     /// The same where no job could be started, and why.
-    [[nodiscard]] std::size_t finish(const master& m, const master_error& error) noexcept {
-        if (!wire::decode_prefix(head_, io_.request) || is_answer(head_)) return 0;
-        head_.ul_cmd = static_cast<packet_command>(static_cast<std::uint32_t>(head_.ul_cmd) + 1);
-        if (status_ == packet_status::ok) status_ = hilscher::status_of(error);
-        return std::visit([&](auto& service) { return confirm(service, m); }, service_);
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::size_t finish(const master& m, const master_error& error) noexcept;
 
     /// Why the first job of the master that failed has done so; ok if none has. It has more detail than the status.
     [[nodiscard]] const master_error& error() const noexcept { return error_; }
@@ -80,18 +51,9 @@ class packet_job {
     using packet_command = hilscher::packet_command;
     static constexpr std::size_t head_size = wire::max_size<hilscher::packet_header>;
 
-    [[nodiscard]] static bool is_answer(const hilscher::packet_header& head) noexcept {
-        return (static_cast<std::uint32_t>(head.ul_cmd) & 1u) != 0;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION static bool is_answer(const hilscher::packet_header& head) noexcept;
 
-    [[nodiscard]] packet_status check_header() const noexcept {
-        if (head_.ul_len > io_.request.size() - head_size) return packet_status::invalid_packet_length;
-        if (!io_.options.check_header) return packet_status::ok;
-        if (head_.ul_dest != channel_in_use && (head_.ul_dest == 0 || head_.ul_dest > last_channel))
-            return packet_status::unknown_destination;
-        if (head_.ul_dest_id != 0) return packet_status::unknown_destination_id;
-        return (head_.ul_ext & sequence_bits) != 0 ? packet_status::invalid_extension : packet_status::ok;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION packet_status check_header() const noexcept;
 
     template <class Service> bool begin(master& m) noexcept {
         auto& service = service_.emplace<Service>();
@@ -105,12 +67,7 @@ class packet_job {
         return false;
     }
 
-    bool take(const service_step& step) noexcept {
-        runs_ = step.runs;
-        has_run_ = has_run_ || runs_;
-        status_ = step.status;
-        return runs_;
-    }
+    JAUSCAT_FUNCTION bool take(const service_step& step) noexcept;
 
     template <class Service> service_step next_of(Service& service, master& m) noexcept {
         if constexpr (std::is_same_v<Service, std::monostate>)
@@ -138,17 +95,7 @@ class packet_job {
     }
 
     // A confirmation with an error: the header and the front of the request's body, zeros where the request has none.
-    std::size_t refuse(std::size_t repeated) noexcept {
-        if (io_.confirmation.size() < head_size + repeated) return 0;
-        head_.ul_sta = status_;
-        head_.ul_len = static_cast<std::uint32_t>(repeated);
-        static_cast<void>(wire::encode(head_, io_.confirmation));
-        const auto body = io_.request.subspan(head_size);
-        const auto out = io_.confirmation.subspan(head_size, repeated);
-        std::ranges::fill(out, std::byte{});
-        std::ranges::copy(body.first(std::min(body.size(), repeated)), out.begin());
-        return head_size + repeated;
-    }
+    JAUSCAT_FUNCTION std::size_t refuse(std::size_t repeated) noexcept;
 
     static constexpr std::uint32_t channel_in_use = 0x20, last_channel = 4, sequence_bits = 0xC0;
 
@@ -176,3 +123,7 @@ std::span<std::byte> execute_packet(master& m, std::span<const std::byte> reques
 }
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/hilscher/impl/packet_job.ipp>
+#endif

@@ -1,6 +1,7 @@
 // Packets that scan the bus and ask what the scan has found.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/hilscher/packet_service.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 #include <jauscat/schema/ethercat/hilscher_state.hpp>
@@ -26,23 +27,8 @@ class packet_start_scan
 
     static service_step begin(master& m, const packet_io&) noexcept { return service_step::started(m.start(scan{})); }
 
-    service_step next(master& m, const packet_io& io) noexcept {
-        if (!counted_) {
-            const auto slaves = m.result<scan>();
-            if (!slaves) return service_step::done(hilscher::status_of(slaves.error()));
-            counted_ = true;
-            found_ = *slaves;
-        } else if (is_of_link(m.error().code)) {
-            return service_step::done(hilscher::status_of(m.error()));
-        }
-        if (position_ == std::min(found_, m.capacity())) return service_step::done();
-        const auto position = static_cast<std::uint16_t>(position_++);
-        return service_step::started(m.start(bring_up{position, scan_station(io, position)}));
-    }
-    service_answer answer(confirmation& out, const master&, const packet_io&) const noexcept {
-        out.ul_found_slaves = static_cast<std::uint32_t>(found_);
-        return {};
-    }
+    JAUSCAT_FUNCTION service_step next(master& m, const packet_io& io) noexcept;
+    JAUSCAT_FUNCTION service_answer answer(confirmation& out, const master&, const packet_io&) const noexcept;
 
   private:
     [[nodiscard]] static constexpr bool is_of_link(master_errc error) noexcept {
@@ -60,41 +46,13 @@ class packet_scan_info
     : public packet_service<hilscher::get_bus_scan_info_request, hilscher::get_bus_scan_info_confirmation> {
   public:
     static constexpr bool one_job = false;
-    service_step begin(master& m, const packet_io& io) noexcept {
-        position_ = static_cast<std::uint16_t>(0u - asked.us_auto_inc_addr);
-        if (find(m) != nullptr) return read_ports(m);
-        return service_step::started(m.start(bring_up{position_, scan_station(io, position_)}));
-    }
-    service_step next(master& m, const packet_io&) noexcept {
-        const auto& error = m.error();
-        if (error.code == master_errc::no_slave) return service_step::done(hilscher::packet_status::coe_invalid_index);
-        if (error != master_error{}) return service_step::done(hilscher::status_of(error));
-        if (!reads_ports_) return read_ports(m);
-        const bool was_read = *m.result<exchange_datagram>() != 0;
-        return service_step::done(was_read ? hilscher::packet_status::ok : hilscher::packet_status::coe_invalid_index);
-    }
-    service_answer answer(confirmation& out, const master&, const packet_io&) const noexcept {
-        esc_word ports{};
-        static_cast<void>(wire::decode(ports, read_));
-        out.ul_vendor_id = identity_.vendor;
-        out.ul_product_code = identity_.product;
-        out.ul_revision_number = identity_.revision;
-        out.ul_serial_number = identity_.serial;
-        out.ul_port_state = ports.value;
-        return {};
-    }
+    JAUSCAT_FUNCTION service_step begin(master& m, const packet_io& io) noexcept;
+    JAUSCAT_FUNCTION service_step next(master& m, const packet_io&) noexcept;
+    JAUSCAT_FUNCTION service_answer answer(confirmation& out, const master&, const packet_io&) const noexcept;
 
   private:
-    [[nodiscard]] const slave_record* find(const master& m) const noexcept {
-        const auto found = std::ranges::find(m.slaves(), position_, &slave_record::position);
-        return found == m.slaves().end() ? nullptr : &*found;
-    }
-    service_step read_ports(master& m) noexcept {
-        identity_ = find(m)->identity;
-        reads_ports_ = true;
-        return service_step::started(
-            m.start(exchange_datagram{command::aprd, asked.us_auto_inc_addr, esc_registers::dl_status.address, read_}));
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION const slave_record* find(const master& m) const noexcept;
+    JAUSCAT_FUNCTION service_step read_ports(master& m) noexcept;
 
     std::uint16_t position_{};
     bool reads_ports_{};
@@ -103,3 +61,7 @@ class packet_scan_info
 };
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/hilscher/impl/packet_scan.ipp>
+#endif

@@ -2,6 +2,7 @@
 // differences, and gives the correction by which the master's cycles follow.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/ethercat/master/clock_jobs.hpp>
@@ -50,55 +51,19 @@ class clock_cycle {
   public:
     /// `slaves` as set_up_clocks has left them, which has given `network`; they outlive this. `system_time` is the
     /// reference clock's at the first frame, within 2 s.
-    clock_cycle(std::span<const clock_record> slaves, const clock_network& network, std::uint64_t system_time,
-                const clock_watch_options& options = {}) noexcept
-        : slaves_{slaves},
-          reference_{reference_clock(slaves)},
-          options_{options},
-          control_{options.control},
-          time_{system_time},
-          expected_counter_{network.working_counter} {}
+    JAUSCAT_FUNCTION clock_cycle(std::span<const clock_record> slaves, const clock_network& network,
+                                 std::uint64_t system_time, const clock_watch_options& options = {}) noexcept;
 
     /// A cycle begins: writes its frame to `out`, at least 60 bytes, and returns its size; 0 where no clock is left. It
     /// is sent `now`, `late` after it was due.
-    [[nodiscard]] std::size_t next_frame(std::span<std::byte> out, time_point now, duration late = {}) noexcept {
-        late_ = late;
-        if (outstanding_.waits()) ++statistics_.lost;
-        outstanding_.forget();
-        has_time_ = returned_ = false;
-        estimate(now);
-        if (is_lost()) return 0;
-        frame_builder frame{out, ++index_};
-        // Slaves that the reference clock's time does not reach take the estimate instead.
-        frame.add(command::frmw, slaves_[reference_].station, esc_registers::dc_system_time.address,
-                  dc_time{sent_time()});
-        frame.read_all(esc_registers::dc_difference);
-        const auto finished = frame.finish();
-        if (!finished) return 0;
-        outstanding_.sent(*finished, now);
-        ++statistics_.sent;
-        return finished->size();
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::size_t next_frame(std::span<std::byte> out, time_point now,
+                                                          duration late = {}) noexcept;
 
     /// Takes a frame that arrived. False if it is none of ours.
-    bool on_frame(std::span<const std::byte> frame) noexcept {
-        frame_view view;
-        if (!view.parse(frame) || !begins_as_ours(view)) return false;
-        const auto datagrams = outstanding_.waits() ? outstanding_.match(view) : replies{};
-        if (datagrams.empty()) return outstanding_.may_be_own(view);
-        returned_ = true;
-        working_counter_ = datagrams[0].working_counter;
-        take_time(datagrams[0].value(esc_registers::dc_system_time).value);
-        if (datagrams[1].working_counter != 0) judge(datagrams[1].value(esc_registers::dc_difference).magnitude);
-        return true;
-    }
+    JAUSCAT_FUNCTION bool on_frame(std::span<const std::byte> frame) noexcept;
 
     /// The cycle ends. Returns by how much later than after one period the next one is due.
-    duration end_cycle() noexcept {
-        if (returned_ && !has_time_) silent();
-        if (has_time_) silent_ = 0;
-        return has_time_ ? control_.on_time(time_, late_) : control_.on_missing();
-    }
+    JAUSCAT_FUNCTION duration end_cycle() noexcept;
 
     /// The frame of this cycle is not back yet.
     [[nodiscard]] bool waits() const noexcept { return outstanding_.waits(); }
@@ -110,23 +75,11 @@ class clock_cycle {
     /// Place of the reference clock; the number of slaves where none is left.
     [[nodiscard]] std::size_t reference() const noexcept { return reference_; }
     /// They were set up again, one more or one less among them; what is known of the reference time stays.
-    void set_slaves(std::span<const clock_record> slaves, const clock_network& network) noexcept {
-        slaves_ = slaves;
-        expected_counter_ = network.working_counter;
-        set_reference(reference_clock(slaves));
-    }
+    JAUSCAT_FUNCTION void set_slaves(std::span<const clock_record> slaves, const clock_network& network) noexcept;
     /// Another slave's clock is the reference: the first one's, once it has been set up again.
-    void set_reference(std::size_t place) noexcept {
-        reference_ = place;
-        silent_ = 0;
-    }
+    JAUSCAT_FUNCTION void set_reference(std::size_t place) noexcept;
     /// The next slave with a clock takes the place of the reference clock, which there is.
-    void replace_reference() noexcept {
-        silent_ = 0;
-        ++reference_;
-        while (reference_ != slaves_.size() && !slaves_[reference_].has_clock()) ++reference_;
-        if (!is_lost()) ++statistics_.takeovers;
-    }
+    JAUSCAT_FUNCTION void replace_reference() noexcept;
     /// No slave is left whose clock could be the reference: switch SYNC off, or leave OP.
     [[nodiscard]] bool is_lost() const noexcept { return reference_ == slaves_.size(); }
     /// As many slaves have taken the time as when the clocks were set up.
@@ -137,40 +90,18 @@ class clock_cycle {
     [[nodiscard]] const clock_statistics& statistics() const noexcept { return statistics_; }
 
   private:
-    [[nodiscard]] static bool begins_as_ours(const frame_view& frame) noexcept {
-        const auto first = frame.begin();
-        return (*first).header.cmd == command::frmw && (*first).header.more;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION static bool begins_as_ours(const frame_view& frame) noexcept;
 
     // The time that has passed by this clock, less its drift.
-    void estimate(time_point now) noexcept {
-        const std::int64_t passed = estimates_ ? (now - estimated_at_).count() : 0;
-        time_ += static_cast<std::uint64_t>(passed - passed / 1'000 * control_.drift() / 1'000'000);
-        estimated_at_ = now;
-        estimates_ = true;
-    }
+    JAUSCAT_FUNCTION void estimate(time_point now) noexcept;
     // After a cycle without an answer it differs from the estimate, because a good one may be the reference time
     // itself.
     [[nodiscard]] std::uint64_t sent_time() const noexcept { return time_ + silent_ * 128u; }
     // What was sent comes back where the reference clock has not answered.
-    void take_time(std::uint64_t time) noexcept {
-        if (time == sent_time()) return;
-        has_time_ = true;
-        const bool is_wide = slaves_[reference_].width == clock_width::bits_64;
-        time_ = is_wide ? time : extend_time(static_cast<std::uint32_t>(time), time_);
-    }
-    void judge(std::uint32_t difference) noexcept {
-        difference_ = difference;
-        above_ = difference > options_.warning_limit ? above_ + 1 : 0;
-        agreement_ = difference > options_.error_limit   ? clock_agreement::error
-                     : above_ >= options_.warning_cycles ? clock_agreement::warning
-                                                         : clock_agreement::good;
-    }
+    JAUSCAT_FUNCTION void take_time(std::uint64_t time) noexcept;
+    JAUSCAT_FUNCTION void judge(std::uint32_t difference) noexcept;
     // Another clock reads as the lost one's time, because its delay from there is subtracted: its slaves' delays stay.
-    void silent() noexcept {
-        ++statistics_.unanswered;
-        if (++silent_ >= options_.silent_cycles) replace_reference();
-    }
+    JAUSCAT_FUNCTION void silent() noexcept;
 
     std::span<const clock_record> slaves_;
     std::size_t reference_;
@@ -192,3 +123,7 @@ class clock_cycle {
 };
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/master/impl/clock_cycle.ipp>
+#endif

@@ -1,6 +1,7 @@
 // Lets the cycles of a master follow the reference clock of its slaves.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 
 #include <algorithm>
@@ -46,19 +47,7 @@ class cycle_control {
 
     /// The reference clock's time when the last cycle's frame passed, which was sent `late` after it was due. Returns
     /// by how much later than after one period the next cycle is due.
-    duration on_time(std::uint64_t reference_time, duration late = {}) noexcept {
-        const auto period = std::max<std::int64_t>(options_.period.count(), 1);
-        const auto own = phase_error(reference_time - static_cast<std::uint64_t>(late.count()));
-        error_ = duration{own} + late;
-        const auto error = median(own);
-        watch(error);
-        if (is_locked_ && std::abs(error) > options_.outlier.count()) return on_missing();
-        // Two oscillators are never further apart than 1000 ppm.
-        const auto most = period * std::int64_t{integral()} / 1'000;
-        sum_ = std::clamp(sum_ + error, -most, most);
-        const duration wanted{-error / std::max(std::int64_t{options_.proportional}, std::int64_t{1}) - steady()};
-        return std::clamp(wanted, -options_.largest_correction, options_.largest_correction);
-    }
+    JAUSCAT_FUNCTION duration on_time(std::uint64_t reference_time, duration late = {}) noexcept;
     /// There is no reference time of the last cycle: the correction that its clock's drift needs.
     duration on_missing() noexcept { return duration{-steady()}; }
 
@@ -71,9 +60,7 @@ class cycle_control {
     /// How far the frames are from their phase, early or late: moving average of some 250 cycles.
     [[nodiscard]] duration deviation() const noexcept { return duration{deviation_ / deviation_scale}; }
     /// How much faster this clock is than the reference clock, in parts per billion.
-    [[nodiscard]] std::int64_t drift() const noexcept {
-        return -steady() * 1'000'000'000 / std::max<std::int64_t>(options_.period.count(), 1);
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::int64_t drift() const noexcept;
 
   private:
     static constexpr std::int64_t mean_scale = 16;
@@ -83,36 +70,11 @@ class cycle_control {
     [[nodiscard]] std::int64_t steady() const noexcept { return sum_ / integral(); }
 
     // Within half a period; above 0: late.
-    [[nodiscard]] std::int64_t phase_error(std::uint64_t time) const noexcept {
-        const auto period = std::max<std::int64_t>(options_.period.count(), 1);
-        const auto since = static_cast<std::int64_t>(time % static_cast<std::uint64_t>(period));
-        auto error = (since - options_.phase.count()) % period;
-        if (error > period / 2) error -= period;
-        if (error <= -((period + 1) / 2)) error += period;
-        return error;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::int64_t phase_error(std::uint64_t time) const noexcept;
     // Of this error and the two before it: a single frame that was held up does not count.
-    [[nodiscard]] std::int64_t median(std::int64_t error) noexcept {
-        if (!std::exchange(has_begun_, true)) last_ = before_ = error;
-        const auto middle = std::max(std::min(last_, before_), std::min(std::max(last_, before_), error));
-        before_ = std::exchange(last_, error);
-        return middle;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::int64_t median(std::int64_t error) noexcept;
 
-    void watch(std::int64_t error) noexcept {
-        mean_ += (error * mean_scale - mean_) / 10;
-        deviation_ += std::abs(error_.count()) - deviation_ / deviation_scale;
-        const auto size = std::chrono::abs(mean_error());
-        if (is_locked_) {
-            count_ = size > options_.lose_beyond || std::abs(error) > options_.outlier.count() ? count_ + 1 : 0;
-            if (count_ < options_.lose_after) return;
-        } else {
-            count_ = size < options_.lock_within ? count_ + 1 : 0;
-            if (count_ < options_.lock_after) return;
-        }
-        is_locked_ = !is_locked_;
-        count_ = 0;
-    }
+    JAUSCAT_FUNCTION void watch(std::int64_t error) noexcept;
 
     cycle_control_options options_;
     std::int64_t sum_{};             // of the errors
@@ -126,3 +88,7 @@ class cycle_control {
 };
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/master/impl/cycle_control.ipp>
+#endif

@@ -1,6 +1,7 @@
 // Sends one frame at a time: timing, matching of replies, loss, statistics.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
 #include <jauscat/ethercat/master/outstanding_frame.hpp>
 
@@ -46,84 +47,43 @@ class frame_traffic {
     [[nodiscard]] const master_statistics& statistics() const noexcept { return statistics_; }
 
     /// Another job begins: nothing was lost in it yet.
-    void begin() noexcept {
-        losses_ = 0;
-        repeats_ = false;
-        not_before_ = time_point::min();
-    }
+    JAUSCAT_FUNCTION void begin() noexcept;
 
     /// Whether a frame may go now.
     [[nodiscard]] bool may_send(time_point now) const noexcept { return !outstanding_.waits() && now >= next_send(); }
     /// The tag for the datagrams of the next frame.
     std::uint8_t next_index() noexcept { return ++index_; }
     /// `frame` is on its way.
-    void sent(std::span<const std::byte> frame, time_point now) noexcept {
-        outstanding_.sent(frame, now);
-        ++statistics_.sent;
-    }
+    JAUSCAT_FUNCTION void sent(std::span<const std::byte> frame, time_point now) noexcept;
     /// The next frame goes at `time`, not before.
     void wait_until(time_point time) noexcept { not_before_ = time; }
 
     /// The datagrams of `frame` if it is the reply that is waited for, else none. They are views of `frame` and are
     /// kept here until the next call. The last frame `was_refused`: a copy of it counts, too, that a slave has
     /// executed.
-    replies take(std::span<const std::byte> frame, bool was_refused = false) noexcept {
-        frame_view view;
-        const bool is_first = outstanding_.waits();
-        if ((!is_first && !was_refused) || !view.parse(frame)) return {};
-        const auto datagrams = outstanding_.match(view);
-        if (datagrams.empty() || (!is_first && datagrams.front().working_counter == 0)) return {};
-        ++statistics_.received;
-        if (datagrams.front().header.circulating) ++statistics_.circulated;
-        if (config_.frames_may_be_copied) unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
-        losses_ = 0;
-        repeats_ = false;
-        return datagrams;
-    }
+    JAUSCAT_FUNCTION replies take(std::span<const std::byte> frame, bool was_refused = false) noexcept;
 
     /// Whether a frame that was not taken was sent here before: it is late, or a copy.
-    bool claim(std::span<const std::byte> frame) noexcept {
-        frame_view view;
-        return view.parse(frame) && outstanding_.claim(view);
-    }
+    JAUSCAT_FUNCTION bool claim(std::span<const std::byte> frame) noexcept;
     /// Counts a frame that was not taken.
-    void ignore(std::span<const std::byte> frame) noexcept {
-        frame_view view;
-        ++statistics_.ignored;
-        if (view.parse(frame) && !outstanding_.claim(view)) ++statistics_.foreign;
-    }
+    JAUSCAT_FUNCTION void ignore(std::span<const std::byte> frame) noexcept;
 
     /// Whether the reply should have come by now.
-    [[nodiscard]] bool is_late(time_point now) const noexcept {
-        return outstanding_.waits() && now - outstanding_.sent_at() >= config_.frame_timeout;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION bool is_late(time_point now) const noexcept;
     /// The reply that is late is lost. What is asked next goes at once if it `repeats` what was asked and does no harm
     /// twice; all else waits until the lost frame cannot arrive. False where too many were lost in a row.
-    bool lose(bool repeats) noexcept {
-        ++statistics_.lost;
-        give_up();
-        repeats_ = repeats;
-        return ++losses_ <= config_.retries;
-    }
+    JAUSCAT_FUNCTION bool lose(bool repeats) noexcept;
     /// Cancels the outstanding frame. Its reply may still arrive, and is ignored.
-    void give_up() noexcept {
-        if (!outstanding_.waits()) return;
-        unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
-        outstanding_.forget();
-    }
+    JAUSCAT_FUNCTION void give_up() noexcept;
 
     /// From when on no frame that was lost can arrive any more.
     [[nodiscard]] time_point settled_at() const noexcept { return unsettled_until_; }
 
     /// When `is_late` or `may_send` will be true, if no frame arrives first.
-    [[nodiscard]] time_point next_event() const noexcept {
-        return outstanding_.waits() ? outstanding_.sent_at() + config_.frame_timeout : next_send();
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION time_point next_event() const noexcept;
 
   private:
-    [[nodiscard]] time_point next_send() const noexcept {
-        return repeats_ ? not_before_ : std::max(not_before_, unsettled_until_);
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION time_point next_send() const noexcept;
 
     master_config config_;
     outstanding_frame<max_datagrams> outstanding_{};
@@ -136,3 +96,7 @@ class frame_traffic {
 };
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/master/impl/frame_traffic.ipp>
+#endif

@@ -1,6 +1,7 @@
 // A state machine for each of the master's jobs. The master runs one of them.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
 #include <jauscat/ethercat/master/clock_setup.hpp>
@@ -50,19 +51,11 @@ concept master_job = requires {
 namespace detail {
 
 /// The slave with this address, or why it cannot be talked to.
-[[nodiscard]] inline master_error choose(slave_list& slaves, std::uint16_t station, slave_record*& chosen) noexcept {
-    chosen = slaves.find(station);
-    if (chosen == nullptr) return {.code = master_errc::wrong_station, .station = station};
-    return {};
-}
+[[nodiscard]] JAUSCAT_FUNCTION master_error choose(slave_list& slaves, std::uint16_t station,
+                                                   slave_record*& chosen) noexcept;
 /// The same for a job that uses the slave's mailbox.
-[[nodiscard]] inline master_error choose_mailbox(slave_list& slaves, std::uint16_t station,
-                                                 slave_record*& chosen) noexcept {
-    if (const auto wrong = choose(slaves, station, chosen); wrong != master_error{}) return wrong;
-    if (chosen->mailbox.receive_size == 0) return {.code = master_errc::no_mailbox};
-    if (!chosen->mailbox.coe) return {.code = master_errc::no_coe};
-    return {};
-}
+[[nodiscard]] JAUSCAT_FUNCTION master_error choose_mailbox(slave_list& slaves, std::uint16_t station,
+                                                           slave_record*& chosen) noexcept;
 
 /// A job whose frames may all be repeated, and that needs to do nothing when one is lost.
 template <class Steps> class plain_machine {
@@ -106,10 +99,8 @@ template <class Protocol> class mailbox_machine : public mailbox_session<Protoco
 
 template <> class job_machine<scan> : public detail::plain_machine<ring_scan> {
   public:
-    [[nodiscard]] static master_error begin(const scan&, ring_knowledge& ring, const master_config&) noexcept {
-        ring.slaves.clear();
-        return {};
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION static master_error begin(const scan&, ring_knowledge& ring,
+                                                             const master_config&) noexcept;
     [[nodiscard]] std::size_t value() const noexcept { return steps_.slaves(); }
 };
 
@@ -117,26 +108,9 @@ namespace detail {
 
 /// Makes the master ready to bring a slave up: what it knows of the slave, or of another one at its address, is away
 /// until then.
-[[nodiscard]] inline slave_bring_up begin_bring_up(const bring_up& job, slave_list& slaves) noexcept {
-    const auto* before = slaves.find(job.station);
-    const bool is_ours = before != nullptr && before->position != job.position; // another slave is to have it
-    if (before == nullptr) before = slaves.find_away(job.station);
-    const auto known = before != nullptr ? *before : slave_record{};
-    slaves.remove(job.position, job.station);
-    if (before != nullptr) slaves.add_away(known);
-    return {job.position, job.station, job.identity, !is_ours};
-}
+[[nodiscard]] JAUSCAT_FUNCTION slave_bring_up begin_bring_up(const bring_up& job, slave_list& slaves) noexcept;
 /// The record of a slave that is up; it is in the list then.
-inline slave_record complete_bring_up(slave_record slave, slave_list& slaves) noexcept {
-    if (const auto* const before = slaves.find_away(slave.station)) {
-        slave.process_data = before->process_data; // it keeps its place in the image
-        slave.unfinished = before->unfinished;     // a change of state does not end it in every slave
-        slave.last_counter = before->last_counter; // some slaves keep it, and drop a message with the same one
-    }
-    slaves.remove(slave.position, slave.station);
-    slaves.add(slave);
-    return slave;
-}
+JAUSCAT_FUNCTION slave_record complete_bring_up(slave_record slave, slave_list& slaves) noexcept;
 
 /// Work on many slaves. The places keep their errors.
 template <class Place> class parallel_machine {
@@ -168,17 +142,9 @@ template <class Place> class parallel_machine {
 
 template <> class job_machine<bring_up> : public detail::plain_machine<slave_bring_up> {
   public:
-    [[nodiscard]] master_error begin(const bring_up& job, ring_knowledge& ring, const master_config&) noexcept {
-        steps_ = detail::begin_bring_up(job, ring.slaves);
-        if (ring.slaves.full() && ring.slaves.find_away(job.station) == nullptr)
-            return {.code = master_errc::too_many_slaves};
-        return {};
-    }
-    [[nodiscard]] master_error complete(ring_knowledge& ring) noexcept {
-        if (!steps_.result()) return steps_.result().error();
-        slave_ = detail::complete_bring_up(steps_.slave(), ring.slaves);
-        return {};
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const bring_up& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION master_error complete(ring_knowledge& ring) noexcept;
     [[nodiscard]] const slave_record& value() const noexcept { return slave_; }
 
   private:
@@ -187,31 +153,9 @@ template <> class job_machine<bring_up> : public detail::plain_machine<slave_bri
 
 template <> class job_machine<bring_up_all> : public detail::parallel_machine<bring_up_place> {
   public:
-    [[nodiscard]] master_error begin(const bring_up_all& job, ring_knowledge& ring, const master_config&) noexcept {
-        slaves_ = &ring.slaves;
-        places_ = job.places;
-        steps_ = steps{job.places};
-        for (std::size_t i = 0; i != places_.size(); ++i) {
-            auto& each = places_[i];
-            const auto is_same = [&](const bring_up_place& other) {
-                return other.slave.station == each.slave.station || other.slave.position == each.slave.position;
-            };
-            if (std::ranges::any_of(places_.first(i), is_same))
-                each.error = {.code = master_errc::duplicate_station};
-            else
-                steps_.begin(each, detail::begin_bring_up(each.slave, *slaves_));
-        }
-        return {};
-    }
-    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
-        return steps_.reply(datagrams, now, config, [&](bring_up_place& place, const slave_bring_up& work) {
-            if (place.error != master_error{}) return;
-            if (slaves_->full() && slaves_->find_away(place.slave.station) == nullptr)
-                place.error = {.code = master_errc::too_many_slaves};
-            else
-                detail::complete_bring_up(work.slave(), *slaves_);
-        });
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const bring_up_all& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
+    JAUSCAT_FUNCTION progress reply(replies datagrams, time_point now, const master_config& config) noexcept;
 
   private:
     slave_list* slaves_{};
@@ -219,55 +163,24 @@ template <> class job_machine<bring_up_all> : public detail::parallel_machine<br
 
 template <> class job_machine<identify> : public detail::plain_machine<slave_identification> {
   public:
-    [[nodiscard]] master_error begin(const identify& job, ring_knowledge& ring, const master_config&) noexcept {
-        steps_ = slave_identification{job.station, job.device_id};
-        slave_record* slave{};
-        return detail::choose(ring.slaves, job.station, slave);
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const identify& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
     [[nodiscard]] const slave_identity& value() const noexcept { return steps_.value(); }
 };
 
 template <> class job_machine<identify_all> : public detail::parallel_machine<identify_place> {
   public:
-    [[nodiscard]] master_error begin(const identify_all& job, ring_knowledge& ring, const master_config&) noexcept {
-        places_ = job.places;
-        steps_ = steps{job.places};
-        for (auto& each : places_) {
-            slave_record* slave{};
-            each.error = detail::choose(ring.slaves, each.station, slave);
-            if (slave != nullptr) steps_.begin(each, slave_identification{each.station, job.device_id});
-        }
-        return {};
-    }
-    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
-        return steps_.reply(datagrams, now, config,
-                            [](identify_place& place, const slave_identification& work) { place.is = work.value(); });
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const identify_all& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
+    JAUSCAT_FUNCTION progress reply(replies datagrams, time_point now, const master_config& config) noexcept;
 };
 
 template <> class job_machine<locate_slaves> : public detail::plain_machine<slave_location> {
   public:
-    [[nodiscard]] master_error begin(const locate_slaves& job, ring_knowledge& ring, const master_config&) noexcept {
-        slaves_ = &ring.slaves;
-        into_ = job.into;
-        return {};
-    }
-    progress reply(replies datagrams, time_point, const master_config&) noexcept {
-        if (steps_.slaves() == 0) // counted next
-            for (auto& each : slaves_->all()) each.position = slave_record::no_position;
-        return steps_.reply(datagrams, [&](std::uint16_t position, std::uint16_t station) {
-            auto* const slave = station != 0 ? slaves_->find(station) : nullptr;
-            if (slave != nullptr && slave->position == slave_record::no_position) {
-                slave->position = position;
-                ++known_;
-            } else if (unknown_ != into_.size()) {
-                into_[unknown_++] = position;
-            }
-        });
-    }
-    [[nodiscard]] located_slaves value() const noexcept {
-        return {.slaves = steps_.slaves(), .known = known_, .unknown = into_.first(unknown_)};
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const locate_slaves& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
+    JAUSCAT_FUNCTION progress reply(replies datagrams, time_point, const master_config&) noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION located_slaves value() const noexcept;
 
   private:
     slave_list* slaves_{};
@@ -278,30 +191,19 @@ template <> class job_machine<locate_slaves> : public detail::plain_machine<slav
 namespace detail {
 
 /// Whether the process data of a slave may be set up.
-[[nodiscard]] inline master_error begin_setup(slave_list& slaves, std::uint16_t station,
-                                              std::chrono::nanoseconds watchdog, slave_record*& slave) noexcept {
-    if (const auto wrong = choose(slaves, station, slave); wrong != master_error{}) return wrong;
-    if (watchdog_units(watchdog) == 0) return {.code = master_errc::watchdog_range};
-    return {};
-}
+[[nodiscard]] JAUSCAT_FUNCTION master_error begin_setup(slave_list& slaves, std::uint16_t station,
+                                                        std::chrono::nanoseconds watchdog,
+                                                        slave_record*& slave) noexcept;
 
 } // namespace detail
 
 template <> class job_machine<configure> {
   public:
     using steps = slave_setup;
-    [[nodiscard]] master_error begin(const configure& job, ring_knowledge& ring, const master_config& config) noexcept {
-        slave_record* slave{};
-        const auto wrong = detail::begin_setup(ring.slaves, job.station, job.watchdog, slave);
-        if (slave == nullptr) return wrong;
-        image_end_ = ring.slaves.image_end(slave);
-        steps_ = slave_setup{*slave, image_end_, job.watchdog, config.logical_base};
-        return wrong;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const configure& job, ring_knowledge& ring,
+                                                      const master_config& config) noexcept;
     void request(frame_builder& frame) noexcept { steps_.request(frame); }
-    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
-        return steps_.reply(datagrams, now, config);
-    }
+    JAUSCAT_FUNCTION progress reply(replies datagrams, time_point now, const master_config& config) noexcept;
     [[nodiscard]] bool was_refused() const noexcept { return steps_.was_refused(); }
     [[nodiscard]] bool is_repeatable() const noexcept { return steps_.is_repeatable(); }
     void lost() noexcept { steps_.lost(); }
@@ -316,22 +218,9 @@ template <> class job_machine<configure> {
 
 template <> class job_machine<configure_all> : public detail::parallel_machine<configure_place> {
   public:
-    [[nodiscard]] master_error begin(const configure_all& job, ring_knowledge& ring,
-                                     const master_config& config) noexcept {
-        image_end_ = ring.slaves.image_end();
-        places_ = job.places;
-        steps_ = steps{job.places, config.frames_may_be_copied};
-        for (auto& each : places_) {
-            slave_record* slave{};
-            each.error = detail::begin_setup(ring.slaves, each.station, job.watchdog, slave);
-            if (each.error == master_error{})
-                steps_.begin(each, slave_setup{*slave, image_end_, job.watchdog, config.logical_base});
-        }
-        return {};
-    }
-    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
-        return steps_.reply(datagrams, now, config, [](const configure_place&, const slave_setup&) {});
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const configure_all& job, ring_knowledge& ring,
+                                                      const master_config& config) noexcept;
+    JAUSCAT_FUNCTION progress reply(replies datagrams, time_point now, const master_config& config) noexcept;
 
   private:
     std::uint32_t image_end_{};
@@ -340,54 +229,29 @@ template <> class job_machine<configure_all> : public detail::parallel_machine<c
 namespace detail {
 
 /// Whether a slave may be taken to a state; it is not drained then.
-[[nodiscard]] inline master_error begin_change(slave_list& slaves, std::uint16_t station, al_state goal) noexcept {
-    slave_record* slave{};
-    if (const auto wrong = choose(slaves, station, slave); wrong != master_error{}) return wrong;
-    slave->drained = false;
-    if (!is_known(goal)) return {.code = master_errc::al_error, .al_status = al_status_code::unknown_state};
-    if (goal == al_state::op && slave->watchdog == slave->watchdog.zero()) return {.code = master_errc::not_configured};
-    return {};
-}
+[[nodiscard]] JAUSCAT_FUNCTION master_error begin_change(slave_list& slaves, std::uint16_t station,
+                                                         al_state goal) noexcept;
 
 } // namespace detail
 
 template <> class job_machine<change_state> : public detail::plain_machine<state_change> {
   public:
-    [[nodiscard]] master_error begin(const change_state& job, ring_knowledge& ring, const master_config&) noexcept {
-        steps_ = state_change{job.station, job.goal};
-        return detail::begin_change(ring.slaves, job.station, job.goal);
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const change_state& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
 };
 
 template <> class job_machine<change_states> : public detail::parallel_machine<state_place> {
   public:
-    [[nodiscard]] master_error begin(const change_states& job, ring_knowledge& ring, const master_config&) noexcept {
-        places_ = job.places;
-        steps_ = steps{job.places};
-        for (auto& each : places_)
-            if (each.error = detail::begin_change(ring.slaves, each.station, job.goal); each.error == master_error{})
-                steps_.begin(each, state_change{each.station, job.goal});
-        return {};
-    }
-    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
-        return steps_.reply(datagrams, now, config, [](const state_place&, const state_change&) {});
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const change_states& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
+    JAUSCAT_FUNCTION progress reply(replies datagrams, time_point now, const master_config& config) noexcept;
 };
 
 template <> class job_machine<check> : public detail::plain_machine<slave_check> {
   public:
-    [[nodiscard]] master_error begin(const check& job, ring_knowledge& ring, const master_config&) noexcept {
-        if (const auto wrong = detail::choose(ring.slaves, job.station, slave_); wrong != master_error{}) return wrong;
-        slave_->al = {};
-        slave_->reply_waiting = false;
-        steps_ = slave_check{*slave_};
-        return {};
-    }
-    [[nodiscard]] master_error complete(ring_knowledge&) noexcept {
-        slave_->al = steps_.al();
-        slave_->reply_waiting = steps_.reply_waiting();
-        return steps_.result().error();
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const check& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION master_error complete(ring_knowledge&) noexcept;
     [[nodiscard]] const al_status& value() const noexcept { return steps_.al(); }
 
   private:
@@ -396,33 +260,18 @@ template <> class job_machine<check> : public detail::plain_machine<slave_check>
 
 template <> class job_machine<download> : public detail::mailbox_machine<sdo_transfer> {
   public:
-    [[nodiscard]] master_error begin(const download& job, ring_knowledge& ring, const master_config&) noexcept {
-        return begin_protocol(ring, job.station,
-                              sdo_transfer::download(job.index, job.subindex, job.data, job.options));
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const download& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
 };
 
 template <> class job_machine<run_init_commands> {
   public:
     using steps = mailbox_session<sdo_transfer>;
-    [[nodiscard]] master_error begin(const run_init_commands& job, ring_knowledge& ring,
-                                     const master_config&) noexcept {
-        job_ = job;
-        find();
-        return is_done() ? detail::choose(ring.slaves, job.station, slave_) : start(ring.slaves);
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const run_init_commands& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
     [[nodiscard]] bool is_done() const noexcept { return at_ == job_.commands.size(); }
     void request(frame_builder& frame) noexcept { session_.request(frame); }
-    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
-        const auto next = session_.reply(datagrams, now, config);
-        if (next != progress::done || !session_.result()) return next;
-        ++written_;
-        ++at_;
-        find();
-        if (is_done()) return progress::done;
-        begin_session();
-        return progress::send;
-    }
+    JAUSCAT_FUNCTION progress reply(replies datagrams, time_point now, const master_config& config) noexcept;
     [[nodiscard]] bool was_refused() const noexcept { return session_.was_refused(); }
     [[nodiscard]] bool is_repeatable() const noexcept { return session_.is_repeatable(); }
     void lost() noexcept { session_.lost(); }
@@ -432,23 +281,10 @@ template <> class job_machine<run_init_commands> {
 
   private:
     // The next one of the transition.
-    void find() noexcept {
-        while (!is_done() && job_.commands[at_].transition != job_.transition) ++at_;
-    }
-    master_error start(slave_list& slaves) noexcept {
-        const auto wrong = detail::choose_mailbox(slaves, job_.station, slave_);
-        if (wrong == master_error{}) begin_session();
-        return wrong;
-    }
-    void begin_session() noexcept {
-        const auto& command = job_.commands[at_];
-        session_ = {};
-        session_.begin(*slave_, sdo_transfer::download(command.index, command.subindex, command.data, command.options));
-    }
-    [[nodiscard]] master_error of_command(master_error error) const noexcept {
-        if (error != master_error{}) error.command = static_cast<std::uint16_t>(at_);
-        return error;
-    }
+    JAUSCAT_FUNCTION void find() noexcept;
+    JAUSCAT_FUNCTION master_error start(slave_list& slaves) noexcept;
+    JAUSCAT_FUNCTION void begin_session() noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION master_error of_command(master_error error) const noexcept;
 
     run_init_commands job_{};
     slave_record* slave_{};
@@ -458,10 +294,8 @@ template <> class job_machine<run_init_commands> {
 
 template <> class job_machine<upload> : public detail::mailbox_machine<sdo_transfer> {
   public:
-    [[nodiscard]] master_error begin(const upload& job, ring_knowledge& ring, const master_config&) noexcept {
-        into_ = job.into;
-        return begin_protocol(ring, job.station, sdo_transfer::upload(job.index, job.subindex, job.into, job.options));
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const upload& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
     [[nodiscard]] std::span<std::byte> value() const noexcept { return received(into_); }
 
   private:
@@ -470,10 +304,8 @@ template <> class job_machine<upload> : public detail::mailbox_machine<sdo_trans
 
 template <> class job_machine<list_objects> : public detail::mailbox_machine<sdo_information> {
   public:
-    [[nodiscard]] master_error begin(const list_objects& job, ring_knowledge& ring, const master_config&) noexcept {
-        into_ = job.into;
-        return begin_protocol(ring, job.station, sdo_information::list(job.list, job.into));
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const list_objects& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
     [[nodiscard]] object_indices value() const noexcept { return object_indices{received(into_)}; }
 
   private:
@@ -482,13 +314,9 @@ template <> class job_machine<list_objects> : public detail::mailbox_machine<sdo
 
 template <> class job_machine<describe_object> : public detail::mailbox_machine<sdo_information> {
   public:
-    [[nodiscard]] master_error begin(const describe_object& job, ring_knowledge& ring, const master_config&) noexcept {
-        into_ = job.into;
-        return begin_protocol(ring, job.station, sdo_information::object(job.index, job.into));
-    }
-    [[nodiscard]] master_result<object_description> value() const noexcept {
-        return decode_object_description(received(into_));
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const describe_object& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION master_result<object_description> value() const noexcept;
 
   private:
     std::span<const std::byte> into_{};
@@ -496,14 +324,9 @@ template <> class job_machine<describe_object> : public detail::mailbox_machine<
 
 template <> class job_machine<describe_entry> : public detail::mailbox_machine<sdo_information> {
   public:
-    [[nodiscard]] master_error begin(const describe_entry& job, ring_knowledge& ring, const master_config&) noexcept {
-        into_ = job.into;
-        return begin_protocol(ring, job.station,
-                              sdo_information::entry({job.index, job.subindex, job.value_info}, job.into));
-    }
-    [[nodiscard]] master_result<entry_description> value() const noexcept {
-        return decode_entry_description(received(into_));
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const describe_entry& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION master_result<entry_description> value() const noexcept;
 
   private:
     std::span<const std::byte> into_{};
@@ -512,24 +335,14 @@ template <> class job_machine<describe_entry> : public detail::mailbox_machine<s
 template <> class job_machine<collect_emergencies> {
   public:
     using steps = mailbox_exchange;
-    [[nodiscard]] master_error begin(const collect_emergencies& job, ring_knowledge& ring,
-                                     const master_config&) noexcept {
-        exchange_ = mailbox_exchange::collect();
-        const auto wrong = detail::choose_mailbox(ring.slaves, job.station, slave_);
-        if (wrong == master_error{} && slave_->is_lent) return {.code = master_errc::busy}; // the other one collects
-        return wrong;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const collect_emergencies& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
     void request(frame_builder& frame) noexcept { exchange_.request(frame, *slave_, nothing_); }
-    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
-        return exchange_.reply(datagrams.front(), now, config, *slave_, nothing_);
-    }
+    JAUSCAT_FUNCTION progress reply(replies datagrams, time_point now, const master_config& config) noexcept;
     [[nodiscard]] bool was_refused() const noexcept { return exchange_.was_refused(); }
     [[nodiscard]] bool is_repeatable() const noexcept { return exchange_.is_repeatable(); }
     void lost() noexcept { exchange_.lost(*slave_); }
-    [[nodiscard]] master_error cancel(const master_error& why) noexcept {
-        exchange_.abandon(*slave_);
-        return why;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error cancel(const master_error& why) noexcept;
     [[nodiscard]] master_error complete(ring_knowledge&) noexcept { return exchange_.result().error(); }
 
   private:
@@ -540,31 +353,23 @@ template <> class job_machine<collect_emergencies> {
 
 template <> class job_machine<exchange_datagram> : public detail::plain_machine<datagram_exchange> {
   public:
-    [[nodiscard]] master_error begin(const exchange_datagram& job, ring_knowledge&, const master_config&) noexcept {
-        steps_ = datagram_exchange{job.cmd, job.adp, job.ado, job.data};
-        return {};
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const exchange_datagram& job, ring_knowledge&,
+                                                      const master_config&) noexcept;
     [[nodiscard]] static constexpr bool is_repeatable() noexcept { return false; }
     [[nodiscard]] std::uint16_t value() const noexcept { return steps_.working_counter(); }
 };
 
 template <> class job_machine<set_up_clocks> : public detail::plain_machine<clock_setup> {
   public:
-    [[nodiscard]] master_error begin(const set_up_clocks& job, ring_knowledge&, const master_config&) noexcept {
-        steps_ = clock_setup{job};
-        if (job.slaves.empty()) return {.code = master_errc::no_clock};
-        return {};
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const set_up_clocks& job, ring_knowledge&,
+                                                      const master_config&) noexcept;
     [[nodiscard]] const clock_network& value() const noexcept { return steps_.network(); }
 };
 
 template <> class job_machine<start_sync> : public detail::plain_machine<sync_setup> {
   public:
-    [[nodiscard]] master_error begin(const start_sync& job, ring_knowledge&, const master_config&) noexcept {
-        steps_ = sync_setup{job};
-        if (!steps_.has_reference()) return {.code = master_errc::no_clock};
-        return {};
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const start_sync& job, ring_knowledge&,
+                                                      const master_config&) noexcept;
     [[nodiscard]] std::uint64_t value() const noexcept { return steps_.start(); }
 };
 
@@ -578,3 +383,7 @@ using any_job_machine =
                  job_machine<exchange_datagram>, job_machine<set_up_clocks>, job_machine<start_sync>>;
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/master/impl/job_machine.ipp>
+#endif

@@ -3,6 +3,7 @@
 // takes two frames.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
 #include <jauscat/ethercat/master/reply_kind.hpp>
@@ -35,29 +36,15 @@ class mailbox_exchange {
     mailbox_exchange() noexcept = default;
     /// Starts a message with the slave's next counter. After a request that was given up it is the one after the next:
     /// a slave that counts its own messages may be one behind, and each of its answers would be taken for the late one.
-    explicit mailbox_exchange(slave_record& slave) noexcept
-        : step_{slave.abandoned_counter != 0 ? step::look_taken
-                : slave.drained              ? step::write
-                                             : step::drain},
-          may_write_{slave.abandoned_counter == 0} {
-        slave.last_counter = after(slave.last_counter);
-        if (slave.abandoned_counter != 0) slave.last_counter = after(slave.last_counter);
-    }
+    JAUSCAT_FUNCTION explicit mailbox_exchange(slave_record& slave) noexcept;
 
     /// Sends nothing: takes what waits in the slave's mailbox, and keeps its emergencies.
-    static mailbox_exchange collect() noexcept {
-        mailbox_exchange exchange;
-        exchange.step_ = exchange.resume_ = step::collect;
-        exchange.asks_ = false;
-        return exchange;
-    }
+    JAUSCAT_FUNCTION static mailbox_exchange collect() noexcept;
 
     /// Bytes that the protocol has received.
     [[nodiscard]] const master_result<std::size_t>& result() const noexcept { return result_; }
     /// The request of the present step changes nothing if the slave gets it twice.
-    [[nodiscard]] bool is_repeatable() const noexcept {
-        return step_ != step::drain && step_ != step::collect && step_ != step::read;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION bool is_repeatable() const noexcept;
 
     /// The slave has not executed the last frame: the mailbox was full, or empty. Where a network copies frames, it may
     /// have executed another copy before, which comes back later.
@@ -106,19 +93,10 @@ class mailbox_exchange {
 
     /// The reply to the last request did not come. What was asked is asked again, except a read: the slave may have
     /// given its message away and has to be asked for it again.
-    void lost(slave_record& slave) noexcept {
-        slave.drained = false;
-        if (step_ == step::write) unsure_ = true;
-        if (is_repeatable()) return;
-        resume_ = step_;
-        step_ = step::look;
-    }
+    JAUSCAT_FUNCTION void lost(slave_record& slave) noexcept;
 
     /// The request is given up; its answer may still come and is not to be taken for another's.
-    void abandon(slave_record& slave) const noexcept {
-        slave.drained = false;
-        if (asks_) slave.abandoned_counter = slave.last_counter;
-    }
+    JAUSCAT_FUNCTION void abandon(slave_record& slave) const noexcept;
 
   private:
     enum class step : std::uint8_t {
@@ -184,16 +162,9 @@ class mailbox_exchange {
     static constexpr std::uint8_t after(std::uint8_t counter) noexcept {
         return static_cast<std::uint8_t>(counter % 7 + 1);
     }
-    progress go(step next) noexcept {
-        step_ = next;
-        return progress::send;
-    }
+    JAUSCAT_FUNCTION progress go(step next) noexcept;
 
-    progress fail(const master_error& error, slave_record& slave) noexcept {
-        abandon(slave);
-        result_ = error;
-        return progress::done;
-    }
+    JAUSCAT_FUNCTION progress fail(const master_error& error, slave_record& slave) noexcept;
 
     struct envelope {
         mailbox_header header{};
@@ -201,32 +172,12 @@ class mailbox_exchange {
     };
 
     // A message from the reply mailbox.
-    static envelope open(std::span<const std::byte> data, slave_record& slave) noexcept {
-        envelope reply{};
-        static_cast<void>(wire::decode_prefix(reply.header, data));
-        const auto body = data.subspan(wire::max_size<mailbox_header>);
-        if (reply.header.length <= body.size()) reply.message = body.first(reply.header.length);
-        slave.last_reply_mark = mark_of(reply);
-        return reply;
-    }
+    JAUSCAT_FUNCTION static envelope open(std::span<const std::byte> data, slave_record& slave) noexcept;
 
     // Counter, length and the bytes in which messages differ that follow each other: fragments have the same counter.
-    static std::uint32_t mark_of(const envelope& reply) noexcept {
-        constexpr std::size_t telling = 16;
-        std::uint32_t mark = reply.header.counter * 65'536u + reply.header.length;
-        for (const std::byte byte : reply.message.first(std::min(telling, reply.message.size())))
-            mark = mark * 31u + std::to_integer<std::uint32_t>(byte);
-        return mark;
-    }
+    JAUSCAT_FUNCTION static std::uint32_t mark_of(const envelope& reply) noexcept;
 
-    static void note_emergency(const envelope& reply, slave_record& slave) noexcept {
-        coe_header coe{};
-        const auto used = wire::decode_prefix(coe, reply.message);
-        coe_emergency emergency{};
-        if (reply.header.type == mailbox_type::coe && used && coe.service == coe_service::emergency &&
-            wire::decode_prefix(emergency, reply.message.subspan(*used)))
-            slave.emergencies.note(emergency);
-    }
+    JAUSCAT_FUNCTION static void note_emergency(const envelope& reply, slave_record& slave) noexcept;
 
     // A message in the reply mailbox: the answer, or something to pass over.
     progress take(std::span<const std::byte> data, slave_record& slave, mailbox_protocol auto& protocol) noexcept {
@@ -270,3 +221,7 @@ class mailbox_exchange {
 };
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/master/impl/mailbox_exchange.ipp>
+#endif

@@ -3,6 +3,7 @@
 // link; anything else that can send and receive frames may too. The cyclic exchange is process_data's.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
 #include <jauscat/ethercat/master/frame_traffic.hpp>
@@ -35,13 +36,7 @@ class master {
     master& operator=(const master&) = delete;
 
     /// As newly constructed: the job that runs is forgotten, and so are all slaves.
-    void reset(const master_config& config = {}) noexcept {
-        frames_ = frame_traffic{config};
-        ring_.slaves.clear();
-        machine_ = {};
-        runs_ = false;
-        error_ = {};
-    }
+    JAUSCAT_FUNCTION void reset(const master_config& config = {}) noexcept;
 
     /// Other times and retries. The logical base stays the same while slaves have process data.
     void set_config(const master_config& config) noexcept { frames_.set_config(config); }
@@ -83,12 +78,7 @@ class master {
 
     /// Gives the job up with `error`: its deadline has passed, or the link does not take frames. A transfer that the
     /// slave has open is aborted before the next one.
-    void cancel(master_errc error) noexcept {
-        if (idle()) return;
-        master_error ended{.code = error};
-        with_machine([&](auto& machine) { ended = machine.cancel(ended); });
-        finish(ended);
-    }
+    JAUSCAT_FUNCTION void cancel(master_errc error) noexcept;
 
     /// Whether no job runs, so that one may be started.
     [[nodiscard]] bool idle() const noexcept { return !runs_; }
@@ -101,61 +91,22 @@ class master {
     [[nodiscard]] const slave_record* find(std::uint16_t station) const noexcept { return ring_.slaves.find(station); }
     /// Lends a slave's mailbox to `other`, which knows that slave alone then: transfers of this master wait until it is
     /// returned. Only while `other` is idle. False if the slave is not known.
-    bool lend(std::uint16_t station, master& other) noexcept {
-        auto* const slave = ring_.slaves.find(station);
-        if (slave == nullptr) return false;
-        other.ring_.slaves.clear();
-        other.ring_.slaves.add(*slave);
-        slave->is_lent = true;
-        return true;
-    }
+    JAUSCAT_FUNCTION bool lend(std::uint16_t station, master& other) noexcept;
     /// Takes it back, unless the slave was brought up again meanwhile.
-    void take_back(const master& other) noexcept {
-        for (const auto& each : other.slaves())
-            if (auto* const slave = ring_.slaves.find(each.station); slave != nullptr && slave->is_lent)
-                slave->return_mailbox(each);
-    }
+    JAUSCAT_FUNCTION void take_back(const master& other) noexcept;
     /// Forgets a slave's emergencies.
-    void clear_emergencies(std::uint16_t station) noexcept {
-        if (auto* const slave = ring_.slaves.find(station)) slave->emergencies.clear();
-    }
+    JAUSCAT_FUNCTION void clear_emergencies(std::uint16_t station) noexcept;
     [[nodiscard]] const master_statistics& statistics() const noexcept { return frames_.statistics(); }
 
     /// Writes the next frame to `out`, which holds 1514 bytes, and returns its size; 0 when there is nothing to send
     /// now.
-    [[nodiscard]] std::size_t next_frame(std::span<std::byte> out, time_point now) noexcept {
-        if (idle() || !frames_.may_send(now)) return 0;
-        frame_builder frame{out, frames_.next_index()};
-        with_machine([&](auto& machine) { machine.request(frame); });
-        const auto finished = frame.finish();
-        if (!finished) {
-            cancel(master_errc::no_space);
-            return 0;
-        }
-        frames_.sent(*finished, now);
-        return finished->size();
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::size_t next_frame(std::span<std::byte> out, time_point now) noexcept;
 
     /// Takes a frame that arrived. False if it was not the reply that is waited for: it then changed nothing, and is
     /// counted.
-    bool on_frame(std::span<const std::byte> frame, time_point now) noexcept {
-        const bool was_taken = take(frame, now);
-        if (!was_taken) frames_.ignore(frame);
-        return was_taken;
-    }
+    JAUSCAT_FUNCTION bool on_frame(std::span<const std::byte> frame, time_point now) noexcept;
     /// The same, but not counted. For several masters on one link: first `take` of each, then `claim`.
-    bool take(std::span<const std::byte> frame, time_point now) noexcept {
-        bool was_refused = false;
-        if (!idle()) with_machine([&](auto& machine) { was_refused = machine.was_refused(); });
-        const auto datagrams = frames_.take(frame, was_refused);
-        if (datagrams.empty()) return false;
-        const auto& config = frames_.config();
-        progress next{};
-        with_machine([&](auto& machine) { next = machine.reply(datagrams, now, config); });
-        if (next == progress::wait) frames_.wait_until(now + config.poll_interval);
-        if (next == progress::done) with_machine([&](auto& machine) { finish(machine.complete(ring_)); });
-        return true;
-    }
+    JAUSCAT_FUNCTION bool take(std::span<const std::byte> frame, time_point now) noexcept;
 
     /// Whether a frame that nobody has taken was sent by this master before: it is late, or a copy.
     bool claim(std::span<const std::byte> frame) noexcept { return frames_.claim(frame); }
@@ -163,19 +114,10 @@ class master {
     [[nodiscard]] time_point settled_at() const noexcept { return frames_.settled_at(); }
 
     /// Time has passed: a frame that is not back after `frame_timeout` is lost and asked for again, then given up.
-    void on_time(time_point now) noexcept {
-        if (!frames_.is_late(now)) return;
-        bool repeats = false;
-        with_machine([&](auto& machine) { repeats = machine.is_repeatable(); });
-        if (!frames_.lose(repeats)) return cancel(master_errc::no_reply);
-        with_machine([](auto& machine) { machine.lost(); });
-    }
+    JAUSCAT_FUNCTION void on_time(time_point now) noexcept;
 
     /// When `on_time` or `next_frame` will next have something to do, if no frame arrives first; none while idle.
-    [[nodiscard]] std::optional<time_point> next_event() const noexcept {
-        if (idle()) return std::nullopt;
-        return frames_.next_event();
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::optional<time_point> next_event() const noexcept;
 
   private:
     // std::visit may throw where a variant has no value, which this one always has.
@@ -189,11 +131,7 @@ class master {
         }(std::make_index_sequence<std::variant_size_v<any_job_machine> - 1>{});
     }
 
-    void finish(const master_error& error) noexcept {
-        error_ = error;
-        runs_ = false;
-        frames_.give_up();
-    }
+    JAUSCAT_FUNCTION void finish(const master_error& error) noexcept;
 
     frame_traffic frames_;
     ring_knowledge ring_;
@@ -211,3 +149,7 @@ template <std::size_t Slaves> class master_for : private slave_memory<Slaves>, p
 };
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/master/impl/master.ipp>
+#endif

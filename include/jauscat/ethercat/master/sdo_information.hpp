@@ -2,6 +2,7 @@
 // fragments; mailbox_exchange handles the mailbox.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/master/reply_kind.hpp>
 #include <jauscat/schema/ethercat/coe.hpp>
 #include <jauscat/schema/ethercat/sdo_information.hpp>
@@ -23,24 +24,11 @@ class sdo_information {
     sdo_information() noexcept = default;
 
     /// The indices of the objects in a list, 2 bytes each.
-    static sdo_information list(object_list_type type, std::span<std::byte> into) noexcept {
-        sdo_information question{sdo_information_opcode::list_request, into};
-        question.put(object_list{type});
-        question.repeated_ = wire::max_size<object_list>;
-        return question;
-    }
+    JAUSCAT_FUNCTION static sdo_information list(object_list_type type, std::span<std::byte> into) noexcept;
     /// An object's object_answer and name.
-    static sdo_information object(std::uint16_t index, std::span<std::byte> into) noexcept {
-        sdo_information question{sdo_information_opcode::object_request, into};
-        question.put(object_query{index});
-        return question;
-    }
+    JAUSCAT_FUNCTION static sdo_information object(std::uint16_t index, std::span<std::byte> into) noexcept;
     /// An entry's entry_answer, values and name.
-    static sdo_information entry(const entry_query& entry, std::span<std::byte> into) noexcept {
-        sdo_information question{sdo_information_opcode::entry_request, into};
-        question.put(entry);
-        return question;
-    }
+    JAUSCAT_FUNCTION static sdo_information entry(const entry_query& entry, std::span<std::byte> into) noexcept;
 
     /// Bytes received.
     [[nodiscard]] const master_result<std::size_t>& result() const noexcept { return result_; }
@@ -48,46 +36,12 @@ class sdo_information {
     /// Nothing here is kept track of: other answers are passed over.
     [[nodiscard]] static constexpr std::optional<sdo_specifier> unexpected() noexcept { return {}; }
     /// Bytes that `encode` writes.
-    [[nodiscard]] std::size_t size() const noexcept {
-        return wire::max_size<coe_header> + wire::max_size<sdo_information_header> + size_;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::size_t size() const noexcept;
     /// Writes the request, CoE header on, to the front of `out`, which holds at least `size()` bytes.
-    void encode(std::span<std::byte> out) const noexcept {
-        out = out.subspan(wire::encode(coe_header{.service = coe_service::sdo_information}, out)->size());
-        out = out.subspan(wire::encode(sdo_information_header{.opcode = request_}, out)->size());
-        std::ranges::copy(std::span{question_}.first(size_), out.begin());
-    }
+    JAUSCAT_FUNCTION void encode(std::span<std::byte> out) const noexcept;
 
     /// Takes a CoE message, CoE header on.
-    reply_kind take(std::span<const std::byte> message) noexcept {
-        coe_header coe{};
-        message = message.subspan(*wire::decode_prefix(coe, message));
-        sdo_information_header header{};
-        const auto used = wire::decode_prefix(header, message);
-        if (coe.service != coe_service::sdo_information || !used) return reply_kind::unrelated;
-        message = message.subspan(*used);
-        if (header.opcode == sdo_information_opcode::error) return refused(message);
-        const auto answer = static_cast<sdo_information_opcode>(static_cast<unsigned>(request_) + 1);
-        if (header.opcode != answer) return reply_kind::unrelated;
-        if (!begun_) {
-            // What the question named comes first, and says that this is its answer. A list does not repeat it.
-            const auto asked = std::span{question_}.first(std::min<std::size_t>(size_, name_size));
-            if (message.size() < asked.size() || !std::ranges::equal(asked, message.first(asked.size())))
-                return reply_kind::unrelated;
-            message = message.subspan(repeated_);
-        }
-        if (message.size() > into_.size() - done_)
-            return finish(
-                master_error{.code = master_errc::data_too_long, .bytes = static_cast<std::uint32_t>(into_.size())});
-        if (begun_ && header.fragments_left + 1u != left_)
-            return finish(master_error{.code = master_errc::fragment_missing, .fragments = left_ - 1u});
-        begun_ = true;
-        left_ = header.fragments_left;
-        std::ranges::copy(message, into_.subspan(done_).begin());
-        done_ += message.size();
-        if (left_ != 0 || header.incomplete) return reply_kind::fragment;
-        return finish(done_);
-    }
+    JAUSCAT_FUNCTION reply_kind take(std::span<const std::byte> message) noexcept;
 
   private:
     static constexpr std::size_t name_size = 3; // index and subindex
@@ -99,15 +53,8 @@ class sdo_information {
         size_ = wire::encode(question, question_)->size();
     }
 
-    reply_kind refused(std::span<const std::byte> message) noexcept {
-        sdo_information_error error{};
-        static_cast<void>(wire::decode_prefix(error, message));
-        return finish(master_error{.code = master_errc::sdo_abort, .abort = error.code});
-    }
-    reply_kind finish(const master_result<std::size_t>& result) noexcept {
-        result_ = result;
-        return reply_kind::complete;
-    }
+    JAUSCAT_FUNCTION reply_kind refused(std::span<const std::byte> message) noexcept;
+    JAUSCAT_FUNCTION reply_kind finish(const master_result<std::size_t>& result) noexcept;
 
     sdo_information_opcode request_{};
     std::array<std::byte, wire::max_size<entry_query>> question_{};
@@ -121,3 +68,7 @@ class sdo_information {
 };
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/master/impl/sdo_information.ipp>
+#endif

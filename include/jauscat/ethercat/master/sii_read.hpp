@@ -2,6 +2,7 @@
 // afterwards: take_sii, give_sii.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
@@ -14,14 +15,9 @@
 namespace jauscat::ethercat {
 
 /// Adds the datagrams that assign the SII to the master: by force, then without.
-inline void take_sii(frame_builder& frame, std::uint16_t station) noexcept {
-    frame.write(station, esc_registers::sii_owner, {.force = true});
-    frame.write(station, esc_registers::sii_owner, {});
-}
+JAUSCAT_FUNCTION void take_sii(frame_builder& frame, std::uint16_t station) noexcept;
 /// Adds the datagram that assigns the SII to the slave's application.
-inline void give_sii(frame_builder& frame, std::uint16_t station) noexcept {
-    frame.write(station, esc_registers::sii_owner, {.pdi = true});
-}
+JAUSCAT_FUNCTION void give_sii(frame_builder& frame, std::uint16_t station) noexcept;
 
 /// State machine: `request` adds the datagram of the present step, `reply` takes its return. Two frames for each read.
 class sii_read {
@@ -32,37 +28,14 @@ class sii_read {
 
     [[nodiscard]] const master_result<>& result() const noexcept { return result_; }
 
-    void request(frame_builder& frame, std::uint16_t station) const noexcept {
-        if (started_)
-            frame.read(station, esc_registers::sii_access);
-        else
-            frame.write(station, esc_registers::sii_request, {.cmd = sii_command::read, .address = word_});
-    }
+    JAUSCAT_FUNCTION void request(frame_builder& frame, std::uint16_t station) const noexcept;
 
     /// `datagram` was executed.
-    progress reply(const datagram_view& datagram, time_point now, const master_config& config) noexcept {
-        if (!started_) {
-            started_ = true;
-            timeout_.renew();
-            return progress::send;
-        }
-        const auto access = datagram.value(esc_registers::sii_access);
-        if (access.request.busy)
-            return timeout_.expired(now, config.sii_timeout) ? fail({.code = master_errc::sii_busy}) : progress::wait;
-        if (access.request.command_error) return fail({.code = master_errc::sii_error, .sii_word = word_});
-        const std::size_t count = std::min<std::size_t>(access.request.eight_byte_reads ? 8 : 4, rest_.size());
-        std::ranges::copy(std::span{access.data}.first(count), rest_.begin());
-        rest_ = rest_.subspan(count);
-        word_ += static_cast<std::uint32_t>(count / 2);
-        started_ = false;
-        return rest_.empty() ? progress::done : progress::send;
-    }
+    JAUSCAT_FUNCTION progress reply(const datagram_view& datagram, time_point now,
+                                    const master_config& config) noexcept;
 
   private:
-    progress fail(const master_error& error) noexcept {
-        result_ = error;
-        return progress::done;
-    }
+    JAUSCAT_FUNCTION progress fail(const master_error& error) noexcept;
 
     std::uint32_t word_{}; // to be read next
     std::span<std::byte> rest_{};
@@ -72,3 +45,7 @@ class sii_read {
 };
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/master/impl/sii_read.ipp>
+#endif

@@ -1,6 +1,7 @@
 // Reads from the categories of a slave's SII which SyncManagers carry process data, and how many bits.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
 #include <jauscat/ethercat/master/sii_read.hpp>
 #include <jauscat/schema/ethercat/sii.hpp>
@@ -37,26 +38,15 @@ class sii_survey {
     /// The SyncManagers that carry process data.
     [[nodiscard]] std::span<process_manager> managers() noexcept { return std::span{managers_}.first(count_); }
     /// The SyncManagers that carry process data.
-    [[nodiscard]] std::span<const process_manager> managers() const noexcept {
-        return std::span{managers_}.first(count_);
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::span<const process_manager> managers() const noexcept;
 
     /// Starts with the first category.
     void begin() noexcept { read(step::category, sii_words::categories, wire::max_size<sii_category_header>); }
 
     void request(frame_builder& frame, std::uint16_t station) const noexcept { sii_.request(frame, station); }
 
-    progress reply(const datagram_view& datagram, time_point now, const master_config& config) noexcept {
-        const auto after = sii_.reply(datagram, now, config);
-        if (after != progress::done) return after;
-        if (result_ = sii_.result(); !result_) return progress::done;
-        switch (step_) {
-        case step::category: return category_read();
-        case step::sync_manager: return sync_manager_read();
-        case step::pdo: return pdo_read();
-        default: return pdo_entry_read();
-        }
-    }
+    JAUSCAT_FUNCTION progress reply(const datagram_view& datagram, time_point now,
+                                    const master_config& config) noexcept;
 
   private:
     enum class step : std::uint8_t { category, sync_manager, pdo, pdo_entry };
@@ -68,86 +58,22 @@ class sii_survey {
     static constexpr std::uint32_t pdo_words = wire::max_size<sii_pdo> / 2;
     static constexpr std::uint32_t entry_words = wire::max_size<sii_pdo_entry> / 2;
 
-    progress read(step next, std::uint32_t word, std::size_t bytes) noexcept {
-        step_ = next;
-        word_ = word;
-        sii_ = sii_read{word, std::span{buffer_}.first(bytes)};
-        return progress::send;
-    }
-    progress fail(const master_error& error) noexcept {
-        result_ = error;
-        return progress::done;
-    }
+    JAUSCAT_FUNCTION progress read(step next, std::uint32_t word, std::size_t bytes) noexcept;
+    JAUSCAT_FUNCTION progress fail(const master_error& error) noexcept;
 
-    progress category_read() noexcept {
-        sii_category_header header{};
-        static_cast<void>(wire::decode_prefix(header, buffer_));
-        const std::uint32_t content = word_ + wire::max_size<sii_category_header> / 2;
-        end_ = content + header.words;
-        switch (header.category) {
-        case sii_category::end: return finish();
-        case sii_category::sync_manager: return next_sync_manager(content);
-        case sii_category::rx_pdo:
-        case sii_category::tx_pdo: described_ = true; return sizes_ ? next_pdo(content) : next_category();
-        default: return next_category();
-        }
-    }
-    progress next_category() noexcept {
-        if (++categories_ > max_categories || end_ >= sii_end)
-            return fail({.code = master_errc::sii_malformed, .sii_word = end_});
-        return read(step::category, end_, wire::max_size<sii_category_header>);
-    }
+    JAUSCAT_FUNCTION progress category_read() noexcept;
+    JAUSCAT_FUNCTION progress next_category() noexcept;
 
-    progress next_sync_manager(std::uint32_t word) noexcept {
-        if (word + manager_words > end_) return next_category();
-        return read(step::sync_manager, word, wire::max_size<sii_sync_manager>);
-    }
-    progress sync_manager_read() noexcept {
-        if (number_ == max_managers) return fail({.code = master_errc::sii_malformed, .sii_word = word_});
-        process_manager found{.number = number_++};
-        static_cast<void>(wire::decode_prefix(found.description, buffer_));
-        if (found.is_output() || found.description.use == sii_sync_manager_use::inputs) {
-            if (count_ == capacity) return fail({.code = master_errc::too_many_managers});
-            managers_[count_++] = found;
-        }
-        return next_sync_manager(word_ + manager_words);
-    }
+    JAUSCAT_FUNCTION progress next_sync_manager(std::uint32_t word) noexcept;
+    JAUSCAT_FUNCTION progress sync_manager_read() noexcept;
 
     // A PDO counts for the SyncManager that carries it from the start.
-    progress next_pdo(std::uint32_t word) noexcept {
-        return word + pdo_words <= end_ ? read(step::pdo, word, wire::max_size<sii_pdo>) : next_category();
-    }
-    progress pdo_read() noexcept {
-        sii_pdo pdo{};
-        static_cast<void>(wire::decode_prefix(pdo, buffer_));
-        entries_left_ = pdo.entries;
-        carrier_ = pdo.sync_manager;
-        return next_pdo_entry(word_ + pdo_words);
-    }
-    progress next_pdo_entry(std::uint32_t word) noexcept {
-        if (entries_left_ == 0) return next_pdo(word);
-        if (word + entry_words > end_) return fail({.code = master_errc::sii_malformed, .sii_word = word});
-        return read(step::pdo_entry, word, wire::max_size<sii_pdo_entry>);
-    }
-    progress pdo_entry_read() noexcept {
-        sii_pdo_entry entry{};
-        static_cast<void>(wire::decode_prefix(entry, buffer_));
-        // The category of SyncManagers may come later: bits are kept by number.
-        if (carrier_ < bits_.size()) bits_[carrier_] += entry.bits;
-        --entries_left_;
-        return next_pdo_entry(word_ + entry_words);
-    }
+    JAUSCAT_FUNCTION progress next_pdo(std::uint32_t word) noexcept;
+    JAUSCAT_FUNCTION progress pdo_read() noexcept;
+    JAUSCAT_FUNCTION progress next_pdo_entry(std::uint32_t word) noexcept;
+    JAUSCAT_FUNCTION progress pdo_entry_read() noexcept;
 
-    progress finish() noexcept {
-        for (auto& each : managers()) {
-            // Without a PDO the size is the SyncManager's default length.
-            if (!described_)
-                each.bits = each.description.length * 8u;
-            else if (each.number < bits_.size())
-                each.bits = bits_[each.number];
-        }
-        return progress::done;
-    }
+    JAUSCAT_FUNCTION progress finish() noexcept;
 
     bool sizes_{};
     step step_{};
@@ -167,3 +93,7 @@ class sii_survey {
 };
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/master/impl/sii_survey.ipp>
+#endif

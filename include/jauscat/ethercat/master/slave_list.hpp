@@ -1,6 +1,7 @@
 // The slaves that a master has brought up, in no particular order, in memory lent by the user.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
 
 #include <algorithm>
@@ -38,44 +39,23 @@ class slave_list {
     /// By its station address; nullptr where there is none.
     [[nodiscard]] slave_record* find(std::uint16_t station) noexcept { return find(memory_.first(count_), station); }
     /// By its station address; nullptr where there is none.
-    [[nodiscard]] const slave_record* find(std::uint16_t station) const noexcept {
-        return find(memory_.first(count_), station);
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION const slave_record* find(std::uint16_t station) const noexcept;
     /// The same among those that are away.
-    [[nodiscard]] const slave_record* find_away(std::uint16_t station) const noexcept {
-        return find(memory_.last(away_), station);
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION const slave_record* find_away(std::uint16_t station) const noexcept;
 
     void clear() noexcept { count_ = away_ = 0; }
     /// Removes the slaves with this position or this station address, also those that are away.
-    void remove(std::uint16_t position, std::uint16_t station) noexcept {
-        const auto gone = [&](const slave_record& s) { return s.position == position || s.station == station; };
-        const auto known = memory_.first(count_);
-        count_ = static_cast<std::size_t>(std::remove_if(known.begin(), known.end(), gone) - known.begin());
-        for (std::size_t i = memory_.size() - away_; i != memory_.size(); ++i)
-            if (gone(memory_[i])) memory_[i] = memory_[memory_.size() - away_--];
-    }
+    JAUSCAT_FUNCTION void remove(std::uint16_t position, std::uint16_t station) noexcept;
     /// Only while it is not full.
     void add(const slave_record& record) noexcept { memory_[count_++] = record; }
     /// Only while it is not full.
     void add_away(const slave_record& record) noexcept { memory_[memory_.size() - ++away_] = record; }
 
     /// Where the process image ends: that of all slaves but `one`, those that are away included.
-    [[nodiscard]] std::uint32_t image_end(const slave_record* one = nullptr) const noexcept {
-        std::uint32_t end = 0;
-        const auto add = [&](const slave_record& each) {
-            if (&each != one) end = std::max(end, each.process_data.end());
-        };
-        std::ranges::for_each(all(), add);
-        std::ranges::for_each(away(), add);
-        return end;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::uint32_t image_end(const slave_record* one = nullptr) const noexcept;
 
   private:
-    static slave_record* find(std::span<slave_record> records, std::uint16_t station) noexcept {
-        const auto found = std::ranges::find(records, station, &slave_record::station);
-        return found == records.end() ? nullptr : &*found;
-    }
+    JAUSCAT_FUNCTION static slave_record* find(std::span<slave_record> records, std::uint16_t station) noexcept;
 
     std::span<slave_record> memory_;
     std::size_t count_{}; // at the front
@@ -83,3 +63,7 @@ class slave_list {
 };
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/master/impl/slave_list.ipp>
+#endif

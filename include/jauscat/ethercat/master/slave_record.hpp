@@ -1,6 +1,7 @@
 // Record of a slave that the master has brought up.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
 #include <jauscat/schema/ethercat/coe.hpp>
 #include <jauscat/schema/ethercat/sii.hpp>
@@ -21,20 +22,11 @@ class emergency_log {
     static constexpr std::size_t capacity = 5;
 
     /// Stores `emergency`; if the memory is full, the oldest one is dropped.
-    constexpr void note(const coe_emergency& emergency) noexcept {
-        if (count_ == capacity) {
-            std::ranges::copy(std::span{kept_}.subspan(1), kept_.begin());
-            --count_;
-            overflow_ = true;
-        }
-        kept_[count_++] = emergency;
-    }
+    JAUSCAT_CONSTEXPR void note(const coe_emergency& emergency) noexcept;
     constexpr void clear() noexcept { *this = {}; }
 
     /// The emergencies that were kept, oldest first.
-    [[nodiscard]] constexpr std::span<const coe_emergency> kept() const noexcept {
-        return std::span{kept_}.first(count_);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::span<const coe_emergency> kept() const noexcept;
     /// Emergencies have been dropped since the last `clear`.
     [[nodiscard]] constexpr bool overflow() const noexcept { return overflow_; }
 
@@ -52,11 +44,7 @@ struct identity_check {
     std::optional<std::uint32_t> serial{};
 
     /// Whether the identity has every value that is given.
-    [[nodiscard]] constexpr bool accepts(const sii_identity& found) const noexcept {
-        const auto same = [](const auto& wanted, std::uint32_t value) { return !wanted || *wanted == value; };
-        return same(vendor, found.vendor) && same(product, found.product) && same(revision, found.revision) &&
-               same(serial, found.serial);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool accepts(const sii_identity& found) const noexcept;
 };
 
 /// A slave's place in the logical address space. Its outputs come first, its inputs follow.
@@ -71,9 +59,7 @@ struct process_place {
 
     [[nodiscard]] constexpr std::size_t size() const noexcept { return std::size_t{output_size} + input_size; }
     /// Address behind it; 0 where there are no process data.
-    [[nodiscard]] constexpr std::uint32_t end() const noexcept {
-        return size() != 0 ? output_address + output_size + input_size : 0;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::uint32_t end() const noexcept;
 
     friend constexpr bool operator==(const process_place&, const process_place&) = default;
 };
@@ -100,15 +86,11 @@ struct slave_record {
     emergency_log emergencies{}; ///< since it was brought up, or since they were cleared
 
     /// Takes over how the mailbox was left by the master to which it was lent.
-    constexpr void return_mailbox(const slave_record& from) noexcept {
-        last_counter = from.last_counter;
-        last_reply_mark = from.last_reply_mark;
-        abandoned_counter = from.abandoned_counter;
-        drained = from.drained;
-        unfinished = from.unfinished;
-        emergencies = from.emergencies;
-        is_lent = false;
-    }
+    JAUSCAT_CONSTEXPR void return_mailbox(const slave_record& from) noexcept;
 };
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/master/impl/slave_record.ipp>
+#endif

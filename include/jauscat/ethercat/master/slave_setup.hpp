@@ -1,6 +1,7 @@
 // Sets a slave's process data up: process_setup, and the uploads that it waits for.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
 #include <jauscat/ethercat/master/mailbox_session.hpp>
@@ -22,50 +23,20 @@ class slave_setup {
   public:
     slave_setup() noexcept = default;
     /// As process_setup.
-    slave_setup(slave_record& slave, std::uint32_t& image_end, std::chrono::nanoseconds watchdog,
-                std::uint32_t logical_base) noexcept
-        : slave_{&slave}, setup_{slave, image_end, watchdog, logical_base} {
-        slave.watchdog = {};
-    }
+    JAUSCAT_FUNCTION slave_setup(slave_record& slave, std::uint32_t& image_end, std::chrono::nanoseconds watchdog,
+                                 std::uint32_t logical_base) noexcept;
 
     [[nodiscard]] const master_result<>& result() const noexcept { return setup_.result(); }
     [[nodiscard]] const process_place& place() const noexcept { return setup_.place(); }
     /// At most, of the present request: bytes and datagrams.
-    [[nodiscard]] std::size_t request_size() const noexcept {
-        const auto& mailbox = slave_->mailbox;
-        const std::size_t largest = std::max(mailbox.receive_size, mailbox.send_size);
-        return uploads_ ? datagram_overhead + largest : process_setup::request_size();
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::size_t request_size() const noexcept;
     static constexpr std::size_t request_datagrams() noexcept { return process_setup::request_datagrams(); }
 
-    void request(frame_builder& frame) noexcept {
-        if (uploads_)
-            upload_.request(frame);
-        else
-            setup_.request(frame);
-    }
-    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
-        auto next = uploads_ ? upload_.reply(datagrams, now, config) : setup_.reply(datagrams, now, config);
-        if (uploads_ && next == progress::done) {
-            uploads_ = false;
-            next = setup_.uploaded(upload_.result());
-        }
-        if (next != progress::done && !uploads_ && setup_.wants_upload()) {
-            uploads_ = true;
-            upload_ = {};
-            upload_.begin(*slave_, setup_.upload());
-        }
-        if (next == progress::done && setup_.result()) {
-            slave_->process_data = setup_.place();
-            slave_->watchdog = setup_.watchdog();
-        }
-        return next;
-    }
+    JAUSCAT_FUNCTION void request(frame_builder& frame) noexcept;
+    JAUSCAT_FUNCTION progress reply(replies datagrams, time_point now, const master_config& config) noexcept;
     [[nodiscard]] bool was_refused() const noexcept { return uploads_ && upload_.was_refused(); }
     [[nodiscard]] bool is_repeatable() const noexcept { return !uploads_ || upload_.is_repeatable(); }
-    void lost() noexcept {
-        if (uploads_) upload_.lost();
-    }
+    JAUSCAT_FUNCTION void lost() noexcept;
     [[nodiscard]] master_error cancel(const master_error& why) noexcept { return uploads_ ? upload_.cancel(why) : why; }
 
   private:
@@ -76,3 +47,7 @@ class slave_setup {
 };
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/master/impl/slave_setup.ipp>
+#endif

@@ -1,6 +1,7 @@
 // Status of a slave in the cyclic exchange.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
 
@@ -22,17 +23,7 @@ enum class slave_condition : std::uint8_t {
 };
 
 /// The condition in one line: what happened and what to do.
-[[nodiscard]] constexpr std::string_view describe(slave_condition condition) noexcept {
-    switch (condition) {
-    case slave_condition::silent: return "frames do not return: check cable, interface and that a slave is running";
-    case slave_condition::running: return "in OP, process data exchanged";
-    case slave_condition::incomplete: return "in OP, process data not exchanged: configure the slave again";
-    case slave_condition::not_in_op: return "not in OP: see its AL status code";
-    case slave_condition::absent: return "no slave has its station address: it was reset, bring it up again";
-    case slave_condition::duplicate: return "several slaves answer to its station address: choose another one";
-    }
-    return "unknown condition";
-}
+[[nodiscard]] JAUSCAT_CONSTEXPR std::string_view describe(slave_condition condition) noexcept;
 
 /// Each time is that at which the frame was sent, so that its content is never older.
 struct slave_status {
@@ -44,25 +35,17 @@ struct slave_status {
     std::optional<time_point> last_inputs{};  ///< frame that brought its inputs
 
     /// Whether it was running at some instant of the last `limit`.
-    [[nodiscard]] constexpr bool ran_within(std::chrono::nanoseconds limit, time_point now) const noexcept {
-        return is_within(last_running, limit, now);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool ran_within(std::chrono::nanoseconds limit, time_point now) const noexcept;
     /// Whether its inputs are at most `limit` old.
-    [[nodiscard]] constexpr bool has_inputs_within(std::chrono::nanoseconds limit, time_point now) const noexcept {
-        return is_within(last_inputs, limit, now);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool has_inputs_within(std::chrono::nanoseconds limit,
+                                                           time_point now) const noexcept;
     /// Condition of the slave: running if it ran within `limit`, silent without a reply for that time.
-    [[nodiscard]] constexpr slave_condition condition_within(std::chrono::nanoseconds limit,
-                                                             time_point now) const noexcept {
-        if (ran_within(limit, now)) return slave_condition::running;
-        return is_within(last_frame, limit, now) ? condition : slave_condition::silent;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR slave_condition condition_within(std::chrono::nanoseconds limit,
+                                                                     time_point now) const noexcept;
 
   private:
-    static constexpr bool is_within(const std::optional<time_point>& at, std::chrono::nanoseconds limit,
-                                    time_point now) noexcept {
-        return at && now - *at <= limit;
-    }
+    JAUSCAT_CONSTEXPR static bool is_within(const std::optional<time_point>& at, std::chrono::nanoseconds limit,
+                                            time_point now) noexcept;
 };
 
 /// All slaves of a ring together, in the last cycle that has returned.
@@ -73,3 +56,7 @@ struct ring_status {
 };
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/master/impl/slave_status.ipp>
+#endif

@@ -1,6 +1,7 @@
 // The objects of an emulated slave under the rules that its options switch on.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/slave/coe_options.hpp>
 #include <jauscat/ethercat/slave/complete_object.hpp>
 #include <jauscat/ethercat/slave/object_dictionary.hpp>
@@ -32,110 +33,40 @@ class slave_objects {
     void set_state(al_state state) noexcept { state_ = state; }
 
     /// Reason for refusing a transfer before it begins: a rule, or complete access is not possible; `none` if allowed.
-    [[nodiscard]] abort_code refusal(const transfer_object& object, bool writes) noexcept {
-        if (!object.complete) {
-            const auto refused = refusal(object.index, object.subindex, writes);
-            return refused == abort_code::none && writes ? count_refusal(object.index, object.subindex) : refused;
-        }
-        const complete_object whole{*this, object.index, object.subindex};
-        if (!whole.is_possible())
-            return is_described() && !describe(object.index) ? abort_code::no_object : abort_code::complete_access;
-        return whole.for_subindices([&](std::uint8_t subindex) {
-            if (writes && subindex == 0) return chosen_refusal(object.index, subindex);
-            const auto refused = refusal(object.index, subindex, writes);
-            if (refused != abort_code::none || !writes) return refused;
-            if (!is_writable(describe(object.index, subindex)->access)) return abort_code::read_only;
-            // From subindex 0 on, the transfer clears the count itself.
-            return object.subindex == 0 ? abort_code::none : count_refusal(object.index, subindex);
-        });
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION abort_code refusal(const transfer_object& object, bool writes) noexcept;
 
     /// Reads the entry or the whole object.
-    object_read read(const transfer_object& object, std::span<std::byte> out) noexcept {
-        if (object.complete) return complete_object{*this, object.index, object.subindex}.read(out);
-        return read(object.index, object.subindex, out);
-    }
+    JAUSCAT_FUNCTION object_read read(const transfer_object& object, std::span<std::byte> out) noexcept;
     /// Writes the entry or the whole object.
-    [[nodiscard]] abort_code write(const transfer_object& object, std::span<const std::byte> data) noexcept {
-        if (!object.complete) return write(object.index, object.subindex, data);
-        complete_object whole{*this, object.index, object.subindex};
-        return data.size() == whole.size() ? whole.write(data) : abort_code::length_mismatch;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION abort_code write(const transfer_object& object,
+                                                    std::span<const std::byte> data) noexcept;
 
     /// Reads one entry.
-    object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
-        if (!keeps_count(index) || subindex != 0) return objects_.read(index, subindex, out);
-        if (out.empty()) return {.error = abort_code::exceeds_mailbox};
-        out[0] = static_cast<std::byte>(rule_.entries(index));
-        return {.size = 1};
-    }
+    JAUSCAT_FUNCTION object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept;
     /// Writes one entry.
-    [[nodiscard]] abort_code write(std::uint16_t index, std::uint8_t subindex,
-                                   std::span<const std::byte> data) noexcept {
-        if (!keeps_count(index) || subindex != 0) return objects_.write(index, subindex, data);
-        if (data.size() != 1) return abort_code::length_mismatch;
-        rule_.set_entries(index, std::to_integer<std::uint8_t>(data[0]));
-        return abort_code::none;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION abort_code write(std::uint16_t index, std::uint8_t subindex,
+                                                    std::span<const std::byte> data) noexcept;
 
     /// Whether the application describes its objects, for SDO information.
     [[nodiscard]] bool is_described() const noexcept { return objects_.is_described(); }
     [[nodiscard]] std::uint16_t next_index(std::uint16_t after) const noexcept { return objects_.next_index(after); }
-    [[nodiscard]] std::optional<object_info> describe(std::uint16_t index) const noexcept {
-        return objects_.describe(index);
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::optional<object_info> describe(std::uint16_t index) const noexcept;
     /// With the access that the rules leave.
-    [[nodiscard]] std::optional<entry_info> describe(std::uint16_t index, std::uint8_t subindex) const noexcept {
-        auto entry = objects_.describe(index, subindex);
-        if (!entry) return entry;
-        if (subindex == 0 && keeps_count(index))
-            entry->access.write_pre_op = entry->access.write_safe_op = entry->access.write_op = true;
-        if (options_.state_rule && subindex_0_rule::covers(index))
-            entry->access.write_safe_op = entry->access.write_op = false;
-        return entry;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::optional<entry_info> describe(std::uint16_t index,
+                                                                      std::uint8_t subindex) const noexcept;
 
   private:
-    [[nodiscard]] abort_code refusal(std::uint16_t index, std::uint8_t subindex, bool writes) const noexcept {
-        const auto chosen = chosen_refusal(index, subindex);
-        return chosen != abort_code::none ? chosen : state_refusal(index, subindex, writes);
-    }
-    [[nodiscard]] abort_code chosen_refusal(std::uint16_t index, std::uint8_t subindex) const noexcept {
-        for (const auto& each : options_.refused)
-            if (each.index == index && (!each.subindex || *each.subindex == subindex)) return each.code;
-        return abort_code::none;
-    }
-    [[nodiscard]] abort_code count_refusal(std::uint16_t index, std::uint8_t subindex) const noexcept {
-        return keeps_count(index) ? rule_.refusal(index, subindex) : abort_code::none;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION abort_code refusal(std::uint16_t index, std::uint8_t subindex,
+                                                      bool writes) const noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION abort_code chosen_refusal(std::uint16_t index, std::uint8_t subindex) const noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION abort_code count_refusal(std::uint16_t index, std::uint8_t subindex) const noexcept;
 
     // Refuses access in states that do not permit it. The object refuses what no state permits.
-    [[nodiscard]] abort_code state_refusal(std::uint16_t index, std::uint8_t subindex, bool writes) const noexcept {
-        if (!options_.state_rule) return abort_code::none;
-        const auto entry = describe(index, subindex);
-        if (!entry) { // of objects that say nothing, only those are known
-            const bool mapping = !is_described() && subindex_0_rule::covers(index);
-            return mapping && writes && state_ != al_state::pre_op ? abort_code::device_state : abort_code::none;
-        }
-        const auto& a = entry->access;
-        const bool now = state_ == al_state::op        ? (writes ? a.write_op : a.read_op)
-                         : state_ == al_state::safe_op ? (writes ? a.write_safe_op : a.read_safe_op)
-                                                       : (writes ? a.write_pre_op : a.read_pre_op);
-        const bool ever = writes ? is_writable(a) : is_readable(a);
-        return ever && !now ? abort_code::device_state : abort_code::none;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION abort_code state_refusal(std::uint16_t index, std::uint8_t subindex,
+                                                            bool writes) const noexcept;
 
     /// Whether the rule is about an object, and not about one that cannot be written anyway.
-    [[nodiscard]] bool keeps_count(std::uint16_t index) const noexcept {
-        if (!options_.subindex_0_rule || !subindex_0_rule::covers(index)) return false;
-        const auto object = objects_.describe(index);
-        if (!object) return true;
-        for (unsigned subindex = 1; subindex <= object->highest_subindex; ++subindex) {
-            const auto entry = objects_.describe(index, static_cast<std::uint8_t>(subindex));
-            if (entry && is_writable(entry->access)) return true;
-        }
-        return false;
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION bool keeps_count(std::uint16_t index) const noexcept;
 
     object_dictionary objects_;
     coe_options options_;
@@ -144,3 +75,7 @@ class slave_objects {
 };
 
 } // namespace jauscat::ethercat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/ethercat/slave/impl/slave_objects.ipp>
+#endif

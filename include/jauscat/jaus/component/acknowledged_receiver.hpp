@@ -1,5 +1,6 @@
 // Acknowledges messages that request it, and filters repetitions. RA 3.3 part 2, ACK/NAK.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/schema/jaus/core.hpp>
@@ -56,9 +57,8 @@ enum class received : std::uint8_t {
 class acknowledged_receiver {
   public:
     /// `places` must outlive this.
-    constexpr acknowledged_receiver(const address& self, std::span<acknowledged_message> places,
-                                    duration memory = std::chrono::seconds{2}) noexcept
-        : self_{self}, places_{places}, memory_{memory} {}
+    JAUSCAT_CONSTEXPR acknowledged_receiver(const address& self, std::span<acknowledged_message> places,
+                                            duration memory = std::chrono::seconds{2}) noexcept;
 
     /// Processes a message that is not an acknowledgement. `handle()` executes it and returns a message_outcome; the
     /// answer is sent after it.
@@ -107,98 +107,34 @@ class acknowledged_receiver {
         return received::handed_on;
     }
     /// The component has changed without a message: its state, or its controller.
-    constexpr void on_change() noexcept {
-        end_unnumbered(at_, [](const address&) { return true; });
-    }
+    JAUSCAT_CONSTEXPR void on_change() noexcept;
     /// Acknowledges a message that its handler deferred: ACK if it was executed, NAK if not. The answer is remembered
     /// for `memory` from now on. Several with the same header are finished in order of arrival. False: the message is
     /// not pending, or requested no acknowledgement; nothing is sent.
-    [[nodiscard]] constexpr bool finish(const header& head, bool executed, time_point now, message_sink out) noexcept {
-        if (!is_acknowledged(head)) return false;
-        const ack_nak answer = executed ? ack_nak::ack : ack_nak::nak;
-        if (may_be_repeated(head.command_code)) return acknowledge(head, self_, answer, out).has_value();
-        acknowledged_message* const place = first_pending(head);
-        if (place == nullptr) return false;
-        place->until = saturating_add(now, memory_);
-        settle(*place, head, answer, out);
-        return true;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool finish(const header& head, bool executed, time_point now,
+                                                message_sink out) noexcept;
 
   private:
-    [[nodiscard]] static constexpr bool is_acknowledged(const header& head) noexcept {
-        return head.ack_nak == ack_nak::request && names_one_component(head.destination);
-    }
-    [[nodiscard]] static constexpr ack_nak answer_of(message_outcome outcome) noexcept {
-        return outcome == message_outcome::handled ? ack_nak::ack : ack_nak::nak;
-    }
-    constexpr void settle(acknowledged_message& place, const header& head, ack_nak answer, message_sink out) noexcept {
-        place.answer = answer;
-        static_cast<void>(acknowledge(head, self_, answer, out)); // its header was received
-    }
-    [[nodiscard]] constexpr acknowledged_message* first_pending(const header& head) const noexcept {
-        acknowledged_message* first = nullptr;
-        for (acknowledged_message& m : places_) {
-            const bool is_it = m.answer == ack_nak::request && m.source == head.source &&
-                               m.command_code == head.command_code && m.sequence_number == head.sequence_number;
-            if (is_it && (first == nullptr || m.until < first->until)) first = &m;
-        }
-        return first;
-    }
-    [[nodiscard]] static constexpr bool may_be_repeated(std::uint16_t command_code) noexcept {
-        return command_code == command_code_of<set_emergency> || report_code_of(command_code) != 0;
-    }
-    [[nodiscard]] static constexpr bool is_command(std::uint16_t command_code) noexcept {
-        return command_code < 0x2000 || command_code >= 0x6000; // or private, and not known to be none
-    }
-    [[nodiscard]] static constexpr bool is_pending(const acknowledged_message& m) noexcept {
-        return m.answer == ack_nak::request;
-    }
-    [[nodiscard]] static constexpr bool is_free(const acknowledged_message& m, time_point now) noexcept {
-        return !is_pending(m) && (m.answer == ack_nak::none || m.superseded || m.until <= now);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR static bool is_acknowledged(const header& head) noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR static ack_nak answer_of(message_outcome outcome) noexcept;
+    JAUSCAT_CONSTEXPR void settle(acknowledged_message& place, const header& head, ack_nak answer,
+                                  message_sink out) noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR acknowledged_message* first_pending(const header& head) const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR static bool may_be_repeated(std::uint16_t command_code) noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR static bool is_command(std::uint16_t command_code) noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR static bool is_pending(const acknowledged_message& m) noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR static bool is_free(const acknowledged_message& m, time_point now) noexcept;
     struct search {
         acknowledged_message* same{};
         acknowledged_message* free{};
         std::size_t of_source{}; // places that the source has
         bool may_be_done{};      // executed or pending, or it is new; its number does not tell
     };
-    [[nodiscard]] constexpr search find(const acknowledged_message& key, time_point now) const noexcept {
-        search found{};
-        const acknowledged_message* used_again = nullptr; // the last message that had this number
-        const auto is_over = [&](const acknowledged_message& m) { return !is_pending(m) && m.until <= now; };
-        for (acknowledged_message& m : places_) {
-            const bool is_same_message = m.source == key.source && m.sequence_number == key.sequence_number &&
-                                         m.command_code == key.command_code && m.digest == key.digest;
-            if (is_free(m, now)) {
-                if (found.free == nullptr || !is_over(*found.free)) found.free = &m;
-                const bool was_done = m.superseded && m.answer == ack_nak::ack && !is_over(m);
-                found.may_be_done |= was_done && is_same_message && key.sequence_number == 0;
-            } else if (m.source == key.source) {
-                ++found.of_source;
-                // It is pending, and its answer is still to come: a refusal of the new one would look like that answer.
-                found.may_be_done |= m.superseded && is_pending(m) && is_same_message && key.sequence_number == 0;
-                if (m.superseded || m.sequence_number != key.sequence_number) continue;
-                if (is_same_message)
-                    found.same = &m;
-                else if (used_again == nullptr || used_again->until < m.until)
-                    used_again = &m;
-            }
-        }
-        if (used_again == nullptr) return found;
-        const auto used_until = used_again->until;
-        for (acknowledged_message& m : places_)
-            if (m.source == key.source &&
-                (key.sequence_number == 0 ? m.sequence_number == 0 : !is_later(m, key, used_until)))
-                m.superseded = true;
-        return find(key, now);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR search find(const acknowledged_message& key, time_point now) const noexcept;
     // Whether a message of the restarted source `key` was sent after its restart: before `key`, by its number, and
     // received after the message that had the number of `key`.
-    [[nodiscard]] static constexpr bool is_later(const acknowledged_message& m, const acknowledged_message& key,
-                                                 time_point used_until) noexcept {
-        return m.sequence_number != 0 && m.until > used_until &&
-               static_cast<std::int16_t>(m.sequence_number - key.sequence_number) < 0;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR static bool is_later(const acknowledged_message& m, const acknowledged_message& key,
+                                                         time_point used_until) noexcept;
     // A sender that counts uses the number 0 once in 65536 commands: a new command with 0 ends the entries of earlier
     // ones.
     constexpr void end_zero(auto&& concerns) noexcept {
@@ -227,18 +163,10 @@ class acknowledged_receiver {
     // Whether the number 0 of `zero` is one of a sender that counts: others came after it, or the last numbers before
     // it. Other messages before may be from a program that counted and was restarted as one that does not; so may those
     // of the same instant, because they may have waited in the socket.
-    [[nodiscard]] static constexpr bool shows_count(const acknowledged_message& other,
-                                                    const acknowledged_message& zero) noexcept {
-        if (other.source != zero.source || other.sequence_number == 0) return false;
-        const bool is_next = other.until == zero.until && other.sequence_number <= 0xFF;
-        return is_next || other.sequence_number >= 0xFF00 || other.until > zero.until;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR static bool shows_count(const acknowledged_message& other,
+                                                            const acknowledged_message& zero) noexcept;
     // FNV-1a of 32 bits.
-    [[nodiscard]] static constexpr std::uint32_t digest_of(std::span<const std::byte> body) noexcept {
-        std::uint32_t digest = 0x811C9DC5;
-        for (const std::byte b : body) digest = (digest ^ std::to_integer<std::uint32_t>(b)) * 0x01000193;
-        return digest;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR static std::uint32_t digest_of(std::span<const std::byte> body) noexcept;
 
     address self_;
     std::span<acknowledged_message> places_;
@@ -248,3 +176,7 @@ class acknowledged_receiver {
 };
 
 } // namespace jauscat::jaus
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/jaus/component/impl/acknowledged_receiver.ipp>
+#endif

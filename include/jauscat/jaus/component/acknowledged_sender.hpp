@@ -1,5 +1,6 @@
 // Repeats messages until they are acknowledged, without blocking: RA 3.3 part 2, ACK/NAK.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 
@@ -27,14 +28,7 @@ enum class delivered : std::uint8_t {
 };
 
 /// The outcome in one line, for logs.
-[[nodiscard]] constexpr std::string_view describe(delivered what) noexcept {
-    switch (what) {
-    case delivered::acknowledged: return "acknowledged";
-    case delivered::refused: return "refused by the receiver (NAK)";
-    case delivered::timed_out: return "no acknowledgement in time";
-    }
-    return "unknown";
-}
+[[nodiscard]] JAUSCAT_CONSTEXPR std::string_view describe(delivered what) noexcept;
 
 enum class send_errc : std::uint8_t {
     ok,
@@ -46,17 +40,7 @@ enum class send_errc : std::uint8_t {
 };
 
 /// The error in one line, for logs.
-[[nodiscard]] constexpr std::string_view describe(send_errc error) noexcept {
-    switch (error) {
-    case send_errc::ok: return "ok";
-    case send_errc::no_capacity: return "too many messages wait for an acknowledgement";
-    case send_errc::too_large: return "the message is larger than the place for its copy";
-    case send_errc::not_one_address: return "only a message to a single component can be acknowledged";
-    case send_errc::invalid_message: return "header and body are no message";
-    case send_errc::not_encodable: return "a value of the body does not encode";
-    }
-    return "unknown error";
-}
+[[nodiscard]] JAUSCAT_CONSTEXPR std::string_view describe(send_errc error) noexcept;
 
 /// Why a message was not sent. Only the member that send_errc names for the code has a value.
 struct send_error {
@@ -68,13 +52,7 @@ struct send_error {
 };
 
 /// The error in one line, with the reason where there is one.
-[[nodiscard]] constexpr std::string_view describe(const send_error& error) noexcept {
-    switch (error.code) {
-    case send_errc::invalid_message: return describe(error.message);
-    case send_errc::not_encodable: return wire::describe(error.body);
-    default: return describe(error.code);
-    }
-}
+[[nodiscard]] JAUSCAT_CONSTEXPR std::string_view describe(const send_error& error) noexcept;
 
 /// Result of sending: the sequence number, which identifies the message when its outcome is reported.
 using send_result = result<std::uint16_t, send_error>;
@@ -105,12 +83,8 @@ class acknowledged_sender {
   public:
     /// Each place has an equal share of `copies`, which bounds the size of a message. Both must outlive this. Of the
     /// places 65534 are used at most: fewer than there are sequence numbers.
-    constexpr acknowledged_sender(std::span<awaited_message> places, std::span<std::byte> copies,
-                                  const acknowledgement_options& options = {}) noexcept
-        : places_{places.first(std::min<std::size_t>(places.size(), 0xFFFE))},
-          copies_{copies},
-          options_{options},
-          next_{counted(options.first_number)} {}
+    JAUSCAT_CONSTEXPR acknowledged_sender(std::span<awaited_message> places, std::span<std::byte> copies,
+                                          const acknowledgement_options& options = {}) noexcept;
 
     /// Sends `body` with `head`, after setting its command code, sequence number and acknowledgement request.
     template <coded_message T>
@@ -128,16 +102,8 @@ class acknowledged_sender {
         return send_error{send_errc::invalid_message};
     }
     /// The same for an encoded message; its header is rewritten. A message of several packets is too large.
-    [[nodiscard]] constexpr send_result send(std::span<const std::byte> message, time_point now,
-                                             message_sink out) noexcept {
-        header head{};
-        if (!wire::decode_prefix(head, message)) return not_a_message(errc::truncated);
-        if (message.size() != header_size + head.data_size) return not_a_message(errc::wrong_size);
-        if (head.data_flag != data_flag::only) return send_error{send_errc::too_large};
-        return send(head, head.command_code, now, out, [&](const header& numbered, std::span<std::byte> copy) {
-            return with_error(join(numbered, message.subspan(header_size), copy));
-        });
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR send_result send(std::span<const std::byte> message, time_point now,
+                                                     message_sink out) noexcept;
 
     /// A received message, with or without a body. True: it is an ACK or NAK of a waiting message, and `tell(const
     /// awaited_message&, delivered)` was called with the outcome. False for late and unknown acknowledgements.
@@ -156,15 +122,7 @@ class acknowledged_sender {
 
     /// Sends a waiting message no more: it has no outcome, and may have arrived. `sent`: its header with the sequence
     /// number. False: no such message waits.
-    constexpr bool forget(const header& sent) noexcept {
-        const auto found = std::ranges::find_if(places_, [&](const awaited_message& m) {
-            return m.size != 0 && m.header.command_code == sent.command_code &&
-                   m.header.sequence_number == sent.sequence_number && m.header.destination == sent.destination;
-        });
-        if (found == places_.end()) return false;
-        *found = {};
-        return true;
-    }
+    JAUSCAT_CONSTEXPR bool forget(const header& sent) noexcept;
 
     /// Repeats messages that were not acknowledged within the interval; after the last attempt they time out.
     constexpr void on_time(time_point now, message_sink out, auto&& tell) {
@@ -180,28 +138,16 @@ class acknowledged_sender {
             }
         }
     }
-    [[nodiscard]] constexpr std::optional<time_point> next_event() const noexcept {
-        std::optional<time_point> first;
-        for (const awaited_message& m : places_)
-            if (m.size != 0 && (!first || m.due < *first)) first = m.due;
-        return first;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::optional<time_point> next_event() const noexcept;
     /// Number of messages that await an acknowledgement.
-    [[nodiscard]] constexpr std::size_t waiting() const noexcept {
-        return static_cast<std::size_t>(std::ranges::count_if(places_, [](const auto& m) { return m.size != 0; }));
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::size_t waiting() const noexcept;
 
   private:
     using written = result<std::span<std::byte>, send_error>;
 
-    [[nodiscard]] static constexpr send_error not_a_message(errc why) noexcept {
-        return {.code = send_errc::invalid_message, .message = why};
-    }
-    [[nodiscard]] static constexpr written with_error(const result<std::span<std::byte>, errc>& message) noexcept {
-        if (message) return *message;
-        const bool large = message.error() == errc::no_space || message.error() == errc::body_too_large;
-        return large ? send_error{send_errc::too_large} : not_a_message(message.error());
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR static send_error not_a_message(errc why) noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR static written
+    with_error(const result<std::span<std::byte>, errc>& message) noexcept;
     constexpr send_result send(header head, std::uint16_t command_code, time_point now, message_sink out,
                                auto&& write) noexcept {
         if (!names_one_component(head.destination)) return send_error{send_errc::not_one_address};
@@ -220,26 +166,11 @@ class acknowledged_sender {
         out(*message);
         return head.sequence_number;
     }
-    [[nodiscard]] static constexpr std::uint16_t counted(std::uint16_t number) noexcept {
-        return std::max<std::uint16_t>(number, 1);
-    }
-    [[nodiscard]] static constexpr std::uint16_t following(std::uint16_t number) noexcept {
-        return counted(static_cast<std::uint16_t>(number + 1));
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR static std::uint16_t counted(std::uint16_t number) noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR static std::uint16_t following(std::uint16_t number) noexcept;
     // There are fewer places than numbers, so one is free.
-    [[nodiscard]] constexpr std::uint16_t free_number(const header& head) const noexcept {
-        std::uint16_t number = next_;
-        while (std::ranges::any_of(places_, [&](const awaited_message& m) {
-            return m.size != 0 && m.header.sequence_number == number && m.header.command_code == head.command_code &&
-                   m.header.destination == head.destination;
-        }))
-            number = following(number);
-        return number;
-    }
-    [[nodiscard]] constexpr std::span<std::byte> copy_of(const awaited_message& place) const noexcept {
-        const std::size_t share = copies_.size() / places_.size();
-        return copies_.subspan(static_cast<std::size_t>(&place - places_.data()) * share, share);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::uint16_t free_number(const header& head) const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::span<std::byte> copy_of(const awaited_message& place) const noexcept;
 
     std::span<awaited_message> places_;
     std::span<std::byte> copies_;
@@ -248,3 +179,7 @@ class acknowledged_sender {
 };
 
 } // namespace jauscat::jaus
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/jaus/component/impl/acknowledged_sender.ipp>
+#endif

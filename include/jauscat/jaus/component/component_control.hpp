@@ -1,6 +1,7 @@
 // Control of a component: request, grant, takeover, release, loss; refusal of other senders' commands. RA 3.3 part 3,
 // core subgroup, and the notes on authority.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/component/command_rules.hpp>
@@ -57,113 +58,40 @@ class component_control {
     /// Number of commands from senders other than the controller that `admits` refused.
     [[nodiscard]] constexpr std::uint64_t refused() const noexcept { return refused_; }
 
-    [[nodiscard]] constexpr command_rule rule(std::uint16_t command_code) const noexcept {
-        const auto& harmless = options_.harmless;
-        const bool is_harmless = std::ranges::find(harmless, command_code) != harmless.end();
-        return is_harmless ? command_rule::open : rule_of(command_code);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR command_rule rule(std::uint16_t command_code) const noexcept;
     /// Whether the message is admitted. Call once for each received message: counts refusals.
-    constexpr bool admits(const header& head) noexcept {
-        if (controls(head.source) || !controller_ || rule(head.command_code) == command_rule::open) return true;
-        ++refused_;
-        return false;
-    }
+    JAUSCAT_CONSTEXPR bool admits(const header& head) noexcept;
     /// Call for every received message, also repetitions and acknowledgements: messages of the controller keep its
     /// control alive.
-    constexpr void heard(const address& who, time_point now) noexcept {
-        if (!controls(who)) return;
-        heard_ = now;
-        asked_ = 0;
-    }
+    JAUSCAT_CONSTEXPR void heard(const address& who, time_point now) noexcept;
     /// Whether this message is the heartbeat pulse that was requested from the controller.
-    constexpr bool takes_pulse(const header& head) noexcept {
-        const bool is_it =
-            pulses_ != 0 && head.command_code == command_code_of<report_heartbeat_pulse> && controls(head.source);
-        pulses_ = static_cast<std::uint8_t>(pulses_ - is_it);
-        return is_it;
-    }
-    [[nodiscard]] constexpr bool controls(const address& who) const noexcept {
-        return controller_ && controller_->address == who;
-    }
+    JAUSCAT_CONSTEXPR bool takes_pulse(const header& head) noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool controls(const address& who) const noexcept;
 
     /// Takes Request and Release Component Control, Set Component Authority, and the queries of authority and control.
     /// Ask `admits` first. Confirm and Reject Component Control are for the other side: see held_control.
-    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
-                                         message_sink out) noexcept {
-        switch (head.command_code) {
-        case command_code_of<set_component_authority>:
-            return decode_for<set_component_authority>(body, [&](const auto& m) { authority_ = m.authority_code; });
-        case command_code_of<request_component_control>:
-            return decode_for<request_component_control>(
-                body, [&](const auto& m) { request(head, m.authority_code, now, out); });
-        case command_code_of<release_component_control>:
-            return decode_for<release_component_control>(body, [&](const auto&) {
-                if (controls(head.source)) end(control_change::released);
-            });
-        case command_code_of<query_component_authority>:
-            return decode_for<query_component_authority>(body, [&](const auto&) {
-                static_cast<void>(answer(head, self_, report_component_authority{authority_}, out));
-            });
-        case command_code_of<query_component_control>:
-            return decode_for<query_component_control>(body, [&](const auto&) {
-                const auto [who, code] = controller_.value_or(jaus::controller{});
-                static_cast<void>(
-                    answer(head, self_,
-                           report_component_control{who.subsystem, who.node, who.component, who.instance, code}, out));
-            });
-        default: return message_outcome::unhandled;
-        }
-    }
+    JAUSCAT_CONSTEXPR message_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
+                                                 message_sink out) noexcept;
 
     /// The component takes control back: the controller, if there is one, gets Reject Component Control.
-    constexpr void reject(message_sink out) noexcept { take_back(control_change::rejected, out); }
+    JAUSCAT_CONSTEXPR void reject(message_sink out) noexcept { take_back(control_change::rejected, out); }
     /// Removes the components for which `gone(const address&)` is true: a controller among them loses control. No
     /// message is sent to it.
     constexpr void on_lost(auto&& gone) noexcept {
         if (controller_ && gone(std::as_const(controller_->address))) end(control_change::lost);
     }
     /// Queries the pulse of a silent controller, and ends the control of one that has been silent for the timeout.
-    constexpr void on_time(time_point now, message_sink out) noexcept {
-        const auto due = next_event();
-        if (!due || now < *due) return;
-        if (now >= saturating_add(heard_, options_.timeout)) return take_back(control_change::lost, out);
-        asked_ = (now - heard_) / quarter();
-        if (pulses_ != 255) ++pulses_;
-        static_cast<void>(put({.destination = controller_->address, .source = self_}, query_heartbeat_pulse{}, out));
-    }
-    [[nodiscard]] constexpr std::optional<time_point> next_event() const noexcept {
-        if (!controller_ || options_.timeout == options_.timeout.zero()) return std::nullopt;
-        return saturating_add(heard_, std::min((asked_ + 1) * quarter(), options_.timeout));
-    }
+    JAUSCAT_CONSTEXPR void on_time(time_point now, message_sink out) noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::optional<time_point> next_event() const noexcept;
 
   private:
-    constexpr void request(const header& head, std::uint8_t authority, time_point now, message_sink out) noexcept {
-        using enum component_control_response;
-        const bool is_controller = controls(head.source);
-        if (controller_ && !is_controller && authority <= controller_->authority_code) {
-            static_cast<void>(answer(head, self_, confirm_component_control{control_not_accepted}, out));
-            return;
-        }
-        const bool is_other = controller_ && !is_controller;
-        if (is_other) take_back(control_change::taken_over, out);
-        last_change_ = is_other ? control_change::taken_over : control_change::granted;
-        if (!is_controller) pulses_ = 0;
-        controller_ = jaus::controller{head.source, authority};
-        heard(head.source, now);
-        static_cast<void>(answer(head, self_, confirm_component_control{control_accepted}, out));
-    }
+    JAUSCAT_CONSTEXPR void request(const header& head, std::uint8_t authority, time_point now,
+                                   message_sink out) noexcept;
 
     [[nodiscard]] constexpr duration quarter() const noexcept { return std::max(options_.timeout / 4, duration{1}); }
-    constexpr void end(control_change why) noexcept {
-        controller_.reset();
-        last_change_ = why;
-    }
+    JAUSCAT_CONSTEXPR void end(control_change why) noexcept;
     // Sends Reject Component Control to the controller.
-    constexpr void take_back(control_change why, message_sink out) noexcept {
-        if (!controller_) return;
-        static_cast<void>(put({.destination = controller_->address, .source = self_}, reject_component_control{}, out));
-        end(why);
-    }
+    JAUSCAT_CONSTEXPR void take_back(control_change why, message_sink out) noexcept;
 
     address self_;
     std::uint8_t authority_;
@@ -177,3 +105,7 @@ class component_control {
 };
 
 } // namespace jauscat::jaus
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/jaus/component/impl/component_control.ipp>
+#endif

@@ -1,6 +1,7 @@
 // State of a component, and the senders that may change it: Shutdown, Standby, Resume, Reset, Set and Clear Emergency,
 // Query Component Status, and the application. RA 3.3 part 3, core subgroup.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/schema/jaus/core.hpp>
@@ -36,37 +37,14 @@ enum class state_event : std::uint8_t {
 ///
 /// * In an emergency, initialized and failed change the state that follows it, see component_state. Set Emergency is
 /// never refused; in Shutdown it changes nothing.
-[[nodiscard]] constexpr std::optional<primary_status_code> state_after(primary_status_code from,
-                                                                       state_event event) noexcept {
-    using enum primary_status_code;
-    const bool ended = from == primary_status_code::shutdown;
-    const auto if_possible = [](bool possible, primary_status_code to) {
-        return possible ? std::optional{to} : std::nullopt;
-    };
-    switch (event) {
-    case state_event::initialized: return if_possible(from == initialize || from == ready, ready);
-    case state_event::failed: return if_possible(!ended && from != emergency, failure);
-    case state_event::shutdown: return primary_status_code::shutdown;
-    case state_event::standby:
-        return if_possible(from == ready || from == primary_status_code::standby, primary_status_code::standby);
-    case state_event::resume: return if_possible(from == ready || from == primary_status_code::standby, ready);
-    case state_event::reset: return if_possible(!ended && from != emergency, initialize);
-    case state_event::emergency: return ended ? from : emergency;
-    case state_event::emergency_cleared: return if_possible(from != emergency, from);
-    }
-    return std::nullopt;
-}
+[[nodiscard]] JAUSCAT_CONSTEXPR std::optional<primary_status_code> state_after(primary_status_code from,
+                                                                               state_event event) noexcept;
 
 /// Whether a component's state takes this command: Shutdown, Standby, Resume, Reset, Set and Clear Emergency.
-[[nodiscard]] constexpr bool is_state_command(std::uint16_t command_code) noexcept {
-    return command_code >= command_code_of<shutdown> && command_code <= command_code_of<clear_emergency>;
-}
+[[nodiscard]] JAUSCAT_CONSTEXPR bool is_state_command(std::uint16_t command_code) noexcept;
 
 /// Whether the body of a Set Emergency has its bit. A component stops without it, too: some nodes send the code 0.
-[[nodiscard]] constexpr bool says_emergency(std::span<const std::byte> body) noexcept {
-    set_emergency message{};
-    return wire::decode(message, body) && message.emergency_code.test(set_emergency_code::transition_to_emergency);
-}
+[[nodiscard]] JAUSCAT_CONSTEXPR bool says_emergency(std::span<const std::byte> body) noexcept;
 
 /// State after an emergency of a component that was Ready before.
 enum class after_emergency : std::uint8_t {
@@ -214,3 +192,7 @@ template <std::size_t Holders = 8> class component_state {
 };
 
 } // namespace jauscat::jaus
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/jaus/component/impl/component_state.ipp>
+#endif

@@ -1,5 +1,6 @@
 // Heartbeats, identification and services of a component.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/component/core_messages.hpp>
@@ -31,13 +32,9 @@ struct heartbeat {
 };
 
 /// Heartbeats to the own node manager, as for components.
-[[nodiscard]] constexpr heartbeat heartbeat_to_node_manager(const address& self) noexcept {
-    return {.to = {.instance = 1, .component = 1, .node = self.node, .subsystem = self.subsystem}};
-}
+[[nodiscard]] JAUSCAT_CONSTEXPR heartbeat heartbeat_to_node_manager(const address& self) noexcept;
 /// Heartbeats to all node managers, as for a node manager.
-[[nodiscard]] constexpr heartbeat heartbeat_to_all() noexcept {
-    return {.to = {.instance = 1, .component = 1, .node = 255, .subsystem = 255}};
-}
+[[nodiscard]] JAUSCAT_CONSTEXPR heartbeat heartbeat_to_all() noexcept;
 
 /// The part of a component that sends Report Heartbeat Pulse (4202h) and answers Query Heartbeat Pulse (2202h), Query
 /// Identification (2B00h) and Query Services (2B03h). It answers for the component alone: identification of the
@@ -45,54 +42,21 @@ struct heartbeat {
 class described_component {
   public:
     /// `memory`, which must outlive this: for Report Services, see answer.
-    constexpr described_component(const address& self, const component_description& description, const heartbeat& beat,
-                                  std::span<std::byte> memory) noexcept
-        : self_{self}, description_{description}, beat_{beat}, memory_{memory} {
-        // Some nodes repeat Query Services until a service is reported.
-        if (description.services.empty()) description_.services = core_messages::services;
-    }
+    JAUSCAT_CONSTEXPR described_component(const address& self, const component_description& description,
+                                          const heartbeat& beat, std::span<std::byte> memory) noexcept;
 
     /// Refused are also answers for which the memory is too small and texts of more than 80 characters.
-    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time_point,
-                                         message_sink out) noexcept {
-        if (is_acknowledgement(head)) return message_outcome::unhandled;
-        const auto done = [](bool sent) { return sent ? message_outcome::handled : message_outcome::refused; };
-        switch (head.command_code) {
-        case command_code_of<query_heartbeat_pulse>:
-            return decode_for<query_heartbeat_pulse>(body, [&](const auto&) {
-                return done(answer(head, self_, report_heartbeat_pulse{}, out).has_value());
-            });
-        case command_code_of<query_identification>:
-            return decode_for<query_identification>(body, [&](const query_identification& query) {
-                return done(query.query_type == query_type::component_identification &&
-                            answer(head, self_, identification(query.query_type, description_.name), out).has_value());
-            });
-        case command_code_of<query_services>:
-            return decode_for<query_services>(body, [&](const auto&) {
-                return done(answer(head, self_, report_services{description_.services}, memory_, out).has_value());
-            });
-        default: return message_outcome::unhandled;
-        }
-    }
+    JAUSCAT_CONSTEXPR message_outcome on_message(const header& head, std::span<const std::byte> body, time_point,
+                                                 message_sink out) noexcept;
 
     /// Sends a heartbeat when it is time, the first at once. A late call sends one, not what has been missed.
-    constexpr void on_time(time_point now, message_sink out) noexcept {
-        if (beat_.period <= duration{} || now < next_) return;
-        const time_point following = saturating_add(next_, beat_.period);
-        next_ = following > now ? following : saturating_add(now, beat_.period);
-        static_cast<void>(put({.destination = beat_.to, .source = self_}, report_heartbeat_pulse{}, out));
-    }
-    [[nodiscard]] constexpr std::optional<time_point> next_event() const noexcept {
-        if (beat_.period <= duration{}) return std::nullopt;
-        return next_;
-    }
+    JAUSCAT_CONSTEXPR void on_time(time_point now, message_sink out) noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::optional<time_point> next_event() const noexcept;
     /// No effect: nothing depends on another component.
     constexpr void on_lost(const address&) noexcept {}
 
-    [[nodiscard]] static constexpr report_identification identification(query_type whose,
-                                                                        const identity& name) noexcept {
-        return {whose, name.authority_code, name.type, name.identification};
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR static report_identification identification(query_type whose,
+                                                                                const identity& name) noexcept;
 
   private:
     address self_;
@@ -103,3 +67,7 @@ class described_component {
 };
 
 } // namespace jauscat::jaus
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/jaus/component/impl/described_component.ipp>
+#endif

@@ -1,5 +1,6 @@
 // Event of a consumer: states, results.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/events/event_setup.hpp>
 
@@ -61,19 +62,10 @@ struct event_outcome {
 };
 
 /// The Update Event that sets an event up like a Create Event.
-[[nodiscard]] constexpr update_event as_update(const create_event& m, std::uint8_t event_id) noexcept {
-    return {.local_request_id = m.local_request_id,
-            .message_code = m.message_code,
-            .event_type = m.event_type,
-            .event_boundary = m.event_boundary,
-            .limit_data_field = m.limit_data_field,
-            .lower_limit = m.lower_limit,
-            .upper_limit = m.upper_limit,
-            .state_limit = m.state_limit,
-            .requested_minimum_periodic_rate = m.requested_minimum_periodic_rate,
-            .requested_periodic_rate = m.requested_periodic_rate,
-            .event_id = event_id,
-            .query_message_body = m.query_message_body};
-}
+[[nodiscard]] JAUSCAT_CONSTEXPR update_event as_update(const create_event& m, std::uint8_t event_id) noexcept;
 
 } // namespace jauscat::jaus
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/jaus/events/impl/requested_event.ipp>
+#endif

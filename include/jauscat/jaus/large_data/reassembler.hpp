@@ -1,5 +1,6 @@
 // Reassembles large data sets in memory of the caller. RA 3.3 part 2, large data sets.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/message/message.hpp>
 
@@ -25,18 +26,7 @@ enum class reassembled : std::uint8_t {
 };
 
 /// The result in one line, for logs.
-[[nodiscard]] constexpr std::string_view describe(reassembled what) noexcept {
-    switch (what) {
-    case reassembled::only: return "complete in one packet";
-    case reassembled::waiting: return "part of a large data set of which packets are missing";
-    case reassembled::whole: return "the last missing part of a large data set";
-    case reassembled::repeated: return "part of a large data set that was received already";
-    case reassembled::doubtful: return "equal to part of the large data set before, and may be a late copy of that";
-    case reassembled::no_capacity: return "too many large data sets at a time: send it again later";
-    case reassembled::too_large: return "the large data set has more bytes or packets than its memory holds";
-    }
-    return "unknown";
-}
+[[nodiscard]] JAUSCAT_CONSTEXPR std::string_view describe(reassembled what) noexcept;
 
 /// A place for one data set of which packets are missing, and what is known of it.
 struct partial_data_set {
@@ -107,11 +97,9 @@ class reassembler {
     /// Each place has an equal share of `packets` and of `memory`. A late packet moves the packets held after it; the
     /// share bounds this cost. `timeout`: a data set that has been silent for this time is dropped when its place is
     /// needed, or by on_time. All three must outlive this.
-    constexpr reassembler(std::span<partial_data_set> places, std::span<held_packet> packets,
-                          std::span<std::byte> memory, duration timeout, reassembly_limits limits = {}) noexcept
-        : places_{places}, packets_{packets}, memory_{memory}, timeout_{timeout}, limits_{limits} {
-        if (limits_.places_per_source == 0) limits_.places_per_source = (places.size() + 1) / 2;
-    }
+    JAUSCAT_CONSTEXPR reassembler(std::span<partial_data_set> places, std::span<held_packet> packets,
+                                  std::span<std::byte> memory, duration timeout,
+                                  reassembly_limits limits = {}) noexcept;
 
     /// A packet received at `now`. `take(const header&, std::span<const std::byte>)` gets a whole data set: the header
     /// of its packet 0, whose data size and flag are that packet's, and the whole body, valid during the call.
@@ -178,80 +166,38 @@ class reassembler {
     }
 
     /// The data set to which a packet with this header belongs, as far as it has come, or nullptr.
-    [[nodiscard]] constexpr const partial_data_set* incomplete(const header& head) const noexcept { return find(head); }
+    [[nodiscard]] JAUSCAT_CONSTEXPR const partial_data_set* incomplete(const header& head) const noexcept {
+        return find(head);
+    }
     /// The places, to inspect incomplete data sets.
     [[nodiscard]] constexpr std::span<const partial_data_set> places() const noexcept { return places_; }
 
   private:
-    [[nodiscard]] constexpr partial_data_set* find(const header& head) const noexcept {
-        const auto found = std::ranges::find_if(places_, [&](const partial_data_set& set) {
-            return set.packets != 0 && set.header.command_code == head.command_code && set.header.source == head.source;
-        });
-        return found == places_.end() ? nullptr : &*found;
-    }
-    [[nodiscard]] static constexpr bool is_requested(const header& head) noexcept {
-        return head.ack_nak == ack_nak::request;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR partial_data_set* find(const header& head) const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR static bool is_requested(const header& head) noexcept;
     // A sender that has gone on to its next data set uses the numbers of the old one again, for other bytes.
-    [[nodiscard]] constexpr bool contradicts(const partial_data_set& set, const header& head,
-                                             std::span<const std::byte> body) const noexcept {
-        if (is_requested(set.header) && !is_requested(head)) return true;
-        const bool ends = head.data_flag == data_flag::last;
-        if (set.last && head.sequence_number > *set.last) return true;
-        const auto held = share(packets_, set).first(set.packets);
-        if (ends && !held.empty() && held.back().sequence_number > head.sequence_number) return true;
-        const auto at = position(held, head.sequence_number);
-        if (at == held.end() || at->sequence_number != head.sequence_number) return false;
-        const bool ended = set.last == head.sequence_number;
-        return (ends != ended && head.data_flag != data_flag::repeated) || !std::ranges::equal(body_of(set, *at), body);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool contradicts(const partial_data_set& set, const header& head,
+                                                     std::span<const std::byte> body) const noexcept;
     // A last packet with acknowledgement request is not kept while others are missing: a packet of a later data set
     // that fills the gap would combine both. It is repeated.
-    [[nodiscard]] static constexpr bool comes_too_early(const partial_data_set* set, const header& head) noexcept {
-        if (head.data_flag != data_flag::last || !is_requested(head)) return false;
-        return set == nullptr || !set->begun || set->packets < head.sequence_number;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR static bool comes_too_early(const partial_data_set* set,
+                                                                const header& head) noexcept;
     // By the time alone: the packet may belong to a later data set than those that are held.
-    [[nodiscard]] constexpr bool may_be_another(const partial_data_set& set, const header& head,
-                                                time_point now) const noexcept {
-        if (!set.begun) return now - set.begun_at > limits_.linger;
-        if (is_requested(set.header) && is_requested(head)) return false;
-        return now - set.last_heard_at > limits_.longest_gap ||
-               (head.data_flag == data_flag::first && now - set.begun_at > limits_.linger);
-    }
-    [[nodiscard]] constexpr const held_packet* packet_of(const partial_data_set& set,
-                                                         const header& head) const noexcept {
-        const auto held = share(packets_, set).first(set.packets);
-        const auto at = position(held, head.sequence_number);
-        return at != held.end() && at->sequence_number == head.sequence_number ? &*at : nullptr;
-    }
-    [[nodiscard]] constexpr bool holds(const partial_data_set* set, const header& head,
-                                       std::span<const std::byte> body) const noexcept {
-        const auto* const packet = set == nullptr ? nullptr : packet_of(*set, head);
-        return packet != nullptr && std::ranges::equal(body_of(*set, *packet), body);
-    }
-    [[nodiscard]] constexpr duration linger_of(const header& head) const noexcept {
-        const bool repeats = head.data_flag == data_flag::last && is_requested(head);
-        return std::max(limits_.linger, repeats ? limits_.linger_of_repeats : limits_.linger);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool may_be_another(const partial_data_set& set, const header& head,
+                                                        time_point now) const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR const held_packet* packet_of(const partial_data_set& set,
+                                                                 const header& head) const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool holds(const partial_data_set* set, const header& head,
+                                               std::span<const std::byte> body) const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR duration linger_of(const header& head) const noexcept;
     // Its body is still in the memory of its place.
-    [[nodiscard]] constexpr bool is_straggler(const header& head, std::span<const std::byte> body, time_point now,
-                                              duration linger) const noexcept {
-        return std::ranges::any_of(places_, [&](const partial_data_set& set) {
-            return set.handed_on > head.sequence_number && now - set.last_heard_at < linger &&
-                   set.header.command_code == head.command_code && set.header.source == head.source &&
-                   std::ranges::equal(body_of(set, share(packets_, set)[head.sequence_number]), body);
-        });
-    }
-    [[nodiscard]] constexpr std::span<const std::byte> body_of(const partial_data_set& set,
-                                                               const held_packet& packet) const noexcept {
-        return share(memory_, set).subspan(packet.offset, packet.size);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool is_straggler(const header& head, std::span<const std::byte> body,
+                                                      time_point now, duration linger) const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::span<const std::byte> body_of(const partial_data_set& set,
+                                                                       const held_packet& packet) const noexcept;
     // Where the packet of this number is among those held, or would be.
-    [[nodiscard]] static constexpr std::span<held_packet>::iterator position(std::span<held_packet> held,
-                                                                             std::uint16_t number) noexcept {
-        return std::ranges::lower_bound(held, number, {}, &held_packet::sequence_number);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR static std::span<held_packet>::iterator position(std::span<held_packet> held,
+                                                                                     std::uint16_t number) noexcept;
     // The place for a new data set: a free one, the longest unused first, so that late packets are recognised for long;
     // else that of a silent data set; else, for packet 0 only, that of one with a single packet.
     [[nodiscard]] constexpr partial_data_set* free_place(const header& head, time_point now, auto& lost) {
@@ -274,9 +220,7 @@ class reassembler {
         if (best != nullptr && best->packets != 0) forget(*best, lost);
         return best;
     }
-    [[nodiscard]] constexpr bool stale(const partial_data_set& set, time_point now) const noexcept {
-        return now - set.last_heard_at >= timeout_;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool stale(const partial_data_set& set, time_point now) const noexcept;
     static constexpr void forget(partial_data_set& set, auto& lost) {
         lost(std::as_const(set));
         set = {};
@@ -304,3 +248,7 @@ class reassembler {
 };
 
 } // namespace jauscat::jaus
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/jaus/large_data/impl/reassembler.ipp>
+#endif

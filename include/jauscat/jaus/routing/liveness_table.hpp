@@ -1,5 +1,6 @@
 // Liveness of components.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/routing/address_map.hpp>
 
@@ -32,21 +33,9 @@ class liveness_table {
     constexpr explicit liveness_table(std::span<place> places) noexcept : map_{places} {}
 
     /// `who`, with an ID on each level, was heard at `now`. `timeout`: 0 or more.
-    constexpr heard on_heard(const address& who, time_point now, duration timeout) noexcept {
-        const time_point gone_at = saturating_add(now, timeout);
-        if (place* const found = map_.exactly(who)) {
-            found->value.last_heard_at = now;
-            found->value.gone_at = std::max(found->value.gone_at, gone_at);
-            return heard::known;
-        }
-        if (map_.insert(who, {now, gone_at}) != inserted::ok) return heard::no_capacity;
-        next_check_ = std::min(next_check_, gone_at);
-        return heard::appeared;
-    }
+    JAUSCAT_CONSTEXPR heard on_heard(const address& who, time_point now, duration timeout) noexcept;
     /// `who` is kept permanently, also without messages; false if the table is full.
-    [[nodiscard]] constexpr bool keep(const address& who) noexcept {
-        return on_heard(who, time_point{}, duration::max()) != heard::no_capacity;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool keep(const address& who) noexcept;
 
     /// Removes components whose timeout has expired; calls `gone(const address&)` for each.
     constexpr void on_time(time_point now, auto&& gone) {
@@ -61,10 +50,7 @@ class liveness_table {
             gone);
     }
     /// Time of the next call of on_time, not later than the next timeout.
-    [[nodiscard]] constexpr std::optional<time_point> next_event() const noexcept {
-        if (next_check_ == time_point::max()) return std::nullopt;
-        return next_check_;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR std::optional<time_point> next_event() const noexcept;
 
     /// Removes the entries for which `unwanted(const place&)` is true, which may be called more than once for one;
     /// calls `gone(const address&)` for each.
@@ -82,10 +68,7 @@ class liveness_table {
     }
 
     /// When the last message of `who` arrived, or nullptr.
-    [[nodiscard]] constexpr const presence* find(const address& who) const noexcept {
-        const place* const found = map_.exactly(who);
-        return found == nullptr ? nullptr : &found->value;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR const presence* find(const address& who) const noexcept;
     /// `use(const address&)` for everyone, in no order.
     constexpr void for_each(auto&& use) const {
         for (const place& one : map_.places())
@@ -100,3 +83,7 @@ class liveness_table {
 };
 
 } // namespace jauscat::jaus
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/jaus/routing/impl/liveness_table.ipp>
+#endif

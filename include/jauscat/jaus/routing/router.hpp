@@ -1,5 +1,6 @@
 // Routes messages to local components and to hops without loops, although the header has no hop count.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/jaus/routing/routing_table.hpp>
 
 namespace jauscat::jaus {
@@ -64,33 +65,11 @@ class router {
     }
 
   private:
-    [[nodiscard]] constexpr bool from_own_node(hop from) const noexcept {
-        return from == here || table_.kind_of(from) == hop_kind::component;
-    }
-    [[nodiscard]] constexpr bool of_own_subsystem(const address& a) const noexcept {
-        return a.subsystem == table_.subsystem();
-    }
-    [[nodiscard]] constexpr bool covers_subsystem(const address& to) const noexcept {
-        return to.subsystem == 255 || of_own_subsystem(to);
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool from_own_node(hop from) const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool of_own_subsystem(const address& a) const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool covers_subsystem(const address& to) const noexcept;
 
-    [[nodiscard]] constexpr routed check(const header& head, hop from) const noexcept {
-        const auto& [instance, component, node, subsystem] = head.destination;
-        if (instance == 0 || component == 0 || node == 0 || subsystem == 0) return routed::invalid_destination;
-        if (!names_one_component(head.source)) return routed::invalid_source;
-        const bool is_own = table_.is_own_node(head.source);
-        if (from == here) return is_own ? routed::ok : routed::source_is_elsewhere;
-        const route_entry* const known = is_own ? table_.find(head.source) : nullptr;
-        const bool is_here = known != nullptr && known->is_here;
-        switch (table_.kind_of(from)) {
-        case hop_kind::manager: return is_here ? routed::source_is_local : routed::ok;
-        case hop_kind::component:
-            if (is_here) return routed::source_is_local;
-            return known != nullptr && known->number == from ? routed::ok : routed::source_is_elsewhere;
-        case hop_kind::node: return is_own ? routed::source_is_local : routed::ok;
-        default: return of_own_subsystem(head.source) ? routed::source_is_local : routed::ok;
-        }
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR routed check(const header& head, hop from) const noexcept;
 
     // To one subsystem and node, and if that is the own to one component.
     constexpr routed pass_on(const header& head, hop from, auto& give, auto& send) const {
@@ -110,14 +89,7 @@ class router {
         return what;
     }
     // The table above, for what is to one node. What is between other subsystems is excluded already.
-    [[nodiscard]] constexpr routed may_go(hop from, hop_kind by, bool stays) const noexcept {
-        if (from == here) return routed::ok;
-        if (table_.manager()) return routed::not_the_relay;
-        if (from_own_node(from) || by == hop_kind::component) return routed::ok;
-        if (by == hop_kind::subsystem) return stays ? routed::no_route : routed::ok;
-        const bool enters = table_.kind_of(from) == hop_kind::subsystem;
-        return enters || primary_ == table_.node() ? routed::ok : routed::not_the_relay;
-    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR routed may_go(hop from, hop_kind by, bool stays) const noexcept;
 
     // To all of a level.
     constexpr routed spread(const header& head, hop from, auto& give, auto& send) const {
@@ -171,3 +143,7 @@ class router {
 };
 
 } // namespace jauscat::jaus
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/jaus/routing/impl/router.ipp>
+#endif

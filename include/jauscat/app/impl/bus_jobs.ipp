@@ -1,0 +1,623 @@
+// The jobs of a bus, and the operations that queue them.
+#pragma once
+#include <jauscat/app/impl/bus_jobs.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
+#include <jauscat/schema/ethercat/esc_registers.hpp>
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+#include <utility>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+namespace app {
+
+/// Slaves that are to be brought up at once.
+class bring_ups {
+  public:
+    void add(std::uint16_t position, std::uint16_t station) {
+        places_.emplace_back(ethercat::bring_up{.position = position, .station = station});
+    }
+    [[nodiscard]] bool empty() const noexcept { return places_.empty(); }
+    [[nodiscard]] bool start(ethercat::master& master) {
+        return master.start(ethercat::bring_up_all{places_}).has_value();
+    }
+    /// Why it is not; ok if it is, or was not among them.
+    [[nodiscard]] ethercat::master_error error_at(std::uint16_t position) const noexcept {
+        const auto found = std::ranges::find(places_, position, [](const auto& each) { return each.slave.position; });
+        return found == places_.end() ? ethercat::master_error{} : found->error;
+    }
+
+  private:
+    std::vector<ethercat::bring_up_place> places_{};
+};
+
+/// Brings a slave up and reads its alias and its name.
+class slave_identification {
+  public:
+    slave_identification() = default;
+    /// Another slave than `required` is not brought up.
+    slave_identification(std::uint16_t position, std::uint16_t station, const ethercat::identity_check& required)
+        : required_{required} {
+        found.info.position = position;
+        found.info.station = station;
+    }
+
+    /// Of one that was brought up with others, with this outcome.
+    slave_identification(std::uint16_t position, std::uint16_t station, const ethercat::master& master,
+                         const ethercat::master_error& why)
+        : slave_identification{position, station, {}} {
+        error = error_of(why);
+        step_ = error ? step::done : step::alias;
+        if (const auto* const record = master.find(station); record != nullptr && !error) take(*record);
+    }
+    /// Of one that is in PRE-OP or higher already.
+    explicit slave_identification(const bus_slave& known) : found{known}, step_{step::alias} {}
+
+    bool begin(bus_state& bus, ethercat::master& master) {
+        const auto station = found.info.station;
+        switch (step_) {
+        case step::bring_up:
+            return master.start(ethercat::bring_up{found.info.position, station, required_}).has_value();
+        case step::alias:
+            return master
+                .start(ethercat::exchange_datagram{ethercat::command::fprd, station,
+                                                   ethercat::esc_registers::station_alias.address, alias_})
+                .has_value();
+        case step::name:
+            return master.start(ethercat::upload{station, ethercat::standard_indices::device_name, 0, bus.memory()})
+                .has_value();
+        case step::done: break;
+        }
+        return false;
+    }
+    void end(bus_state& bus, ethercat::master& master) {
+        error = error_of(master.error());
+        switch (step_) {
+        case step::bring_up:
+            if (const auto record = master.result<ethercat::bring_up>()) take(*record);
+            step_ = error ? step::done : step::alias;
+            return;
+        case step::alias:
+            if (master.result<ethercat::exchange_datagram>().value_or(0) == 1)
+                found.info.alias = static_cast<std::uint16_t>(std::to_integer<unsigned>(alias_[0]) |
+                                                              std::to_integer<unsigned>(alias_[1]) << 8);
+            step_ = found.info.has_objects ? step::name : step::done;
+            return;
+        case step::name:
+            if (const auto name = master.result<ethercat::upload>())
+                std::tie(std::ignore, found.info.name) =
+                    object_conversion<std::string>{}({}, {name->begin(), name->end()});
+            error = {}; // not every slave has one
+            static_cast<void>(bus);
+            step_ = step::done;
+            return;
+        case step::done: return;
+        }
+    }
+
+    enum class step : std::uint8_t { bring_up, alias, name, done };
+
+    bus_slave found{};
+    error_code error{};
+
+  private:
+    void take(const ethercat::slave_record& record) {
+        found.identify(record);
+        found.al.state = ethercat::al_state::pre_op;
+    }
+
+    step step_{};
+
+    ethercat::identity_check required_{};
+    std::array<std::byte, 2> alias_{};
+};
+
+/// Finds all slaves.
+class start_job final : public bus_job {
+  public:
+    explicit start_job(operation_ptr<> done) : done_{std::move(done)} {}
+
+    bool begin(bus_state& bus, ethercat::master& master) override {
+        is_serving_ = bus.is_serving() && bus.ring().is_cleared(); // a scan would reset its slaves
+        if (!is_counted_ && is_serving_)
+            return master
+                .start(ethercat::exchange_datagram{ethercat::command::brd, 0, ethercat::esc_registers::type.address,
+                                                   type_})
+                .has_value();
+        if (!is_counted_) return master.start(ethercat::scan{}).has_value();
+        if (!is_brought_up_ && new_.empty())
+            for (std::uint16_t i = 0; i != count_; ++i)
+                if (const auto* const known = bus.at_position(i); known == nullptr || !known->info.is_served)
+                    new_.add(i, station_at(i));
+        if (!is_brought_up_ && !new_.empty()) return new_.start(master);
+        is_brought_up_ = true;
+        for (;;) {
+            if (is_identifying_ && one_.begin(bus, master)) return true;
+            if (std::exchange(is_identifying_, false)) keep(bus);
+            if (found_.size() == count_) break;
+            const auto position = static_cast<std::uint16_t>(found_.size());
+            const auto* const known = bus.at_position(position);
+            if (known == nullptr || !known->info.is_served)
+                one_ = {position, station_at(position), master, new_.error_at(position)};
+            else if (known->is_identified && !known->info.is_lost)
+                one_ = slave_identification{*known};
+            else { // it is brought up by its bridge
+                found_.push_back(*known);
+                continue;
+            }
+            is_identifying_ = true;
+        }
+        bus.slaves() = std::move(found_);
+        bus.set_started();
+        done_->complete(error_);
+        return false;
+    }
+    void end(bus_state& bus, ethercat::master& master) override {
+        if (is_brought_up_) return one_.end(bus, master);
+        if (const auto error = error_of(master.error())) return fail(error);
+        if (is_counted_) {
+            is_brought_up_ = true;
+            return;
+        }
+        is_counted_ = true;
+        const std::size_t counted = is_serving_ ? master.result<ethercat::exchange_datagram>().value_or(0)
+                                                : master.result<ethercat::scan>().value_or(0);
+        if (counted == 0) return fail(bus_errc::no_slaves);
+        if (counted > bus_state::max_slaves) return fail(bus_errc::too_many_slaves);
+        count_ = static_cast<std::uint16_t>(counted);
+    }
+    [[nodiscard]] bool is_over() const override { return done_->is_done(); }
+    void fail(error_code why) override { done_->complete(why); }
+
+  private:
+    void keep(bus_state& bus) {
+        auto& found = one_.found;
+        found.info.is_lost = one_.error.failed();
+        found.why = one_.error;
+        if (one_.error) {
+            bus.log(name_of(found.info) + " is not brought up: " + one_.error.message());
+            if (!error_) error_ = one_.error;
+        }
+        found_.push_back(std::move(found));
+    }
+
+    [[nodiscard]] static std::uint16_t station_at(std::uint16_t position) noexcept {
+        return static_cast<std::uint16_t>(bus_state::first_station + position);
+    }
+
+    operation_ptr<> done_;
+    bool is_serving_{}, is_counted_{}, is_brought_up_{};
+    std::array<std::byte, 1> type_{};
+    std::uint16_t count_{};
+    bring_ups new_{};
+    bool is_identifying_{};
+    slave_identification one_{};
+    std::vector<bus_slave> found_{};
+    error_code error_{};
+};
+
+/// Finds the slaves of a bus whose options name them: those that have come, gone or moved, or all.
+class find_job final : public bus_job {
+  public:
+    find_job(find_scope what, operation_ptr<> done) : what_{what}, done_{std::move(done)} {}
+
+    bool begin(bus_state& bus, ethercat::master& master) override {
+        for (;;) switch (step_) {
+            case step::clear:
+                if (what_ == find_scope::once && bus.is_started()) return fail({}), false;
+                step_ = step::locate;
+                if (what_ == find_scope::changes || (bus.is_serving() && bus.ring().is_cleared())) break;
+                step_ = step::clear; // a scan would reset slaves that work
+                return master.start(ethercat::scan{}).has_value();
+            case step::locate: return master.start(ethercat::locate_slaves{unknown_}).has_value();
+            case step::bring_up:
+                if (!ups_.empty()) return ups_.start(master);
+                step_ = step::name;
+                break;
+            case step::name:
+                if (is_identifying_ && one_.begin(bus, master)) return true;
+                if (std::exchange(is_identifying_, false)) keep(bus);
+                if (next_ == new_.size()) {
+                    step_ = step::identify;
+                    break;
+                }
+                one_ = {new_[next_].first, new_[next_].second, master, ups_.error_at(new_[next_].first)};
+                is_identifying_ = true;
+                ++next_;
+                break;
+            case step::identify:
+                step_ = step::prepare;
+                if (!places_.empty()) {
+                    step_ = step::identify;
+                    return master.start(ethercat::identify_all{places_, bus.names().has_identification()}).has_value();
+                }
+                bus.match_names();
+                break;
+            case step::prepare: {
+                const auto* const next = bus.next_to_prepare();
+                if (next == nullptr) {
+                    bus.set_started();
+                    return fail(bus.first_refusal()), false;
+                }
+                station_ = next->info.station;
+                const auto& is = next->info;
+                const auto wanted = next->named->station == 0 ? station_ : next->named->station;
+                writes_ = next->is_brought_up && station_ == wanted;
+                if (writes_)
+                    return master
+                        .start(ethercat::run_init_commands{station_, next->named->start_up,
+                                                           ethercat::state_transition::pre_op_to_safe_op})
+                        .has_value();
+                return master
+                    .start(ethercat::bring_up{
+                        next->info.position, wanted, {is.vendor, is.product, is.revision, is.serial}})
+                    .has_value();
+            }
+            case step::done: return false;
+            }
+    }
+    void end(bus_state& bus, ethercat::master& master) override {
+        const auto error = error_of(master.error());
+        if (error == bus_errc::no_reply || error == bus_errc::not_sent) bus.note_all_lost(error);
+        if (error == bus_errc::no_reply || error == bus_errc::not_sent || error == bus_errc::stopped)
+            return fail(error);
+        switch (step_) {
+        case step::clear:
+            if (error) return fail(error);
+            bus.forget_found();
+            step_ = step::locate;
+            return;
+        case step::locate: return located(bus, master, error);
+        case step::bring_up:
+            if (error) return fail(error);
+            step_ = step::name;
+            return;
+        case step::name: return one_.end(bus, master);
+        case step::identify:
+            for (const auto& each : places_)
+                if (auto* const slave = bus.at(each.station)) {
+                    slave->identity = each.is;
+                    slave->is_identified = each.error == ethercat::master_error{};
+                    if (!slave->is_identified) bus.note_unprepared(*slave, error_of(each.error));
+                }
+            places_.clear();
+            return;
+        case step::prepare: return prepared(bus, master, error);
+        case step::done: return;
+        }
+    }
+    [[nodiscard]] bool is_over() const override { return step_ == step::done || (done_ && done_->is_done()); }
+    void fail(error_code why) override {
+        step_ = step::done;
+        if (done_) done_->complete(why);
+    }
+
+  private:
+    enum class step : std::uint8_t { clear, locate, bring_up, name, identify, prepare, done };
+
+    void located(bus_state& bus, const ethercat::master& master, error_code error) {
+        if (error) return fail(error);
+        const auto found = *master.result<ethercat::locate_slaves>();
+        if (what_ != find_scope::changes && found.slaves == 0) return fail(bus_errc::no_slaves);
+        if (found.slaves > bus_state::max_slaves) return fail(bus_errc::too_many_slaves);
+        new_ = bus.note_positions(master, found.unknown);
+        for (const auto& [position, station] : new_) ups_.add(position, station);
+        step_ = step::bring_up;
+    }
+    void keep(bus_state& bus) {
+        if (bus.note_brought_up(one_.found, one_.error)) places_.emplace_back(one_.found.info.station);
+    }
+    void prepared(bus_state& bus, const ethercat::master& master, error_code error) {
+        auto* const slave = bus.at(station_);
+        if (slave == nullptr) return;
+        if (error) {
+            const auto& objects = slave->named->start_up;
+            if (const auto at = master.error().command; writes_ && at < objects.size() && slave->why != error)
+                bus.log(name_of(slave->info) + " does not take its start-up object " +
+                        numbered("%04Xh:", objects[at].index) + std::to_string(objects[at].subindex));
+            return bus.note_unprepared(*slave, error);
+        }
+        if (!writes_) {
+            if (slave->named->station != 0) slave->info.station = slave->named->station;
+            slave->is_brought_up = true;
+            return;
+        }
+        bus.note_prepared(*slave, what_ != find_scope::changes);
+    }
+
+    find_scope what_;
+    operation_ptr<> done_;
+    step step_{};
+    std::array<std::uint16_t, bus_state::max_slaves> unknown_{};
+    std::vector<std::pair<std::uint16_t, std::uint16_t>> new_{}; ///< positions, and the station addresses that they get
+    bring_ups ups_{};
+    std::size_t next_{};
+    bool is_identifying_{};
+    slave_identification one_{};
+    std::vector<ethercat::identify_place> places_{};
+    std::uint16_t station_{}; ///< of the slave that is prepared
+    bool writes_{};           ///< its start-up objects; else it is brought up
+};
+
+/// Looks at the state of a slave, collects its emergencies, and brings it up again after it was reset.
+class look_job final : public bus_job {
+  public:
+    explicit look_job(std::uint16_t station) : station_{station} {}
+
+    bool begin(bus_state& bus, ethercat::master& master) override {
+        const auto* const slave = bus.at(station_);
+        if (slave == nullptr) return false;
+        switch (step_) {
+        case step::look: return master.start(ethercat::check{slave->info.station}).has_value();
+        case step::collect: return master.start(ethercat::collect_emergencies{slave->info.station}).has_value();
+        case step::identify: return one_.begin(bus, master) || (identified(bus), false);
+        case step::done: break;
+        }
+        return false;
+    }
+    void end(bus_state& bus, ethercat::master& master) override {
+        auto* const slave = bus.at(station_);
+        if (slave == nullptr) return;
+        const auto error = error_of(master.error());
+        switch (step_) {
+        case step::look: return looked(bus, *slave, master, error);
+        case step::collect:
+            bus.note_outcome(*slave, error);
+            bus.note_emergencies(*slave, master);
+            step_ = step::done;
+            return;
+        case step::identify: return one_.end(bus, master);
+        case step::done: return;
+        }
+    }
+    [[nodiscard]] bool is_over() const override { return false; }
+    void fail(error_code) override {}
+
+  private:
+    enum class step : std::uint8_t { look, collect, identify, done };
+
+    void looked(bus_state& bus, bus_slave& slave, ethercat::master& master, error_code error) {
+        step_ = step::done;
+        bus.note_outcome(slave, error);
+        if (error == bus_errc::slave_lost && bus.names().empty()) {
+            ethercat::identity_check required{};
+            const auto& info = slave.info;
+            if (slave.is_identified) required = {info.vendor, info.product, info.revision, info.serial};
+            one_ = {info.position, station_, required};
+            step_ = step::identify;
+        }
+        if (error) return;
+        const auto* const record = master.find(slave.info.station);
+        if (record == nullptr) return;
+        bus.note_state(slave, record->al);
+        if (record->reply_waiting) step_ = step::collect;
+    }
+    void identified(bus_state& bus) {
+        step_ = step::done;
+        auto* const slave = bus.at(station_);
+        if (slave == nullptr) return;
+        if (one_.error) return bus.note_lost(*slave, one_.error);
+        slave->info.alias = one_.found.info.alias; // all else is as it was, or was not known
+        const auto lost = *slave;
+        *slave = one_.found;
+        slave->info.is_lost = lost.info.is_lost;
+        slave->why = lost.why;
+        slave->next_look = lost.next_look;
+        slave->al = lost.al;
+        bus.note_found(*slave);
+        bus.note_state(*slave, one_.found.al);
+    }
+
+    std::uint16_t station_{};
+    step step_{};
+    slave_identification one_{};
+};
+
+/// One job of the master for a slave. `make(slave)` gives that job, `take(value, done)` completes the operation.
+template <class Make, class Take, class... Results> class slave_job final : public bus_job {
+    using job_type = std::invoke_result_t<Make&, bus_slave&>;
+
+  public:
+    slave_job(const slave_choice& which, operation_ptr<Results...> done, Make make, Take take)
+        : which_{which}, done_{std::move(done)}, make_{std::move(make)}, take_{std::move(take)} {}
+
+    bool begin(bus_state& bus, ethercat::master& master) override {
+        error_code error;
+        auto* const slave = bus.find(which_, error);
+        if (slave == nullptr) {
+            fail(error);
+            return false;
+        }
+        station_ = slave->info.station;
+        return master.start(make_(*slave)).has_value();
+    }
+    void end(bus_state& bus, ethercat::master& master) override {
+        const auto outcome = master.result<job_type>();
+        const auto error = outcome ? error_code{} : error_of(outcome.error());
+        if (auto* const slave = bus.at(station_)) {
+            bus.note_outcome(*slave, error);
+            bus.note_emergencies(*slave, master);
+        }
+        if (error) return fail(error);
+        if constexpr (std::is_void_v<typename job_type::result_type::value_type>)
+            take_(*done_);
+        else
+            take_(*outcome, *done_);
+    }
+    [[nodiscard]] bool is_over() const override { return done_->is_done(); }
+    void fail(error_code why) override { done_->complete(why, Results{}...); }
+
+  private:
+    slave_choice which_;
+    operation_ptr<Results...> done_;
+    Make make_;
+    Take take_;
+    std::uint16_t station_{};
+};
+
+/// Takes a slave to a state, and configures its process data before SAFE-OP.
+class change_job final : public bus_job {
+  public:
+    change_job(const slave_choice& which, ethercat::al_state goal, operation_ptr<> done)
+        : which_{which}, goal_{goal}, done_{std::move(done)} {}
+    change_job(std::uint16_t station, ethercat::al_state goal, operation_ptr<> done)
+        : goal_{goal}, done_{std::move(done)}, station_{station} {}
+
+    bool begin(bus_state& bus, ethercat::master& master) override {
+        error_code error = bus_errc::no_such_slave;
+        auto* const slave = station_ != 0 ? bus.at(station_) : bus.find(which_, error);
+        if (slave == nullptr) return fail(error), false;
+        if (slave->info.is_served) return fail(bus_errc::served), false;
+        if (goal_ == ethercat::al_state::op) return fail(bus_errc::needs_cycles), false;
+        const auto station = station_ = slave->info.station;
+        if (goal_ != ethercat::al_state::safe_op || slave->is_configured) {
+            step_ = step::change;
+            return master.start(ethercat::change_state{station, goal_}).has_value();
+        }
+        if (step_ == step::look) return master.start(ethercat::check{station}).has_value();
+        if (step_ == step::configure) return master.start(ethercat::configure{station}).has_value();
+        return master.start(ethercat::change_state{station, ethercat::al_state::pre_op}).has_value();
+    }
+    void end(bus_state& bus, ethercat::master& master) override {
+        auto* const slave = bus.at(station_);
+        const auto error = error_of(master.error());
+        if (slave == nullptr) return fail(bus_errc::no_such_slave);
+        bus.note_outcome(*slave, error);
+        if (error) return fail(error);
+        switch (step_) {
+        case step::look:
+            if (const auto al = master.result<ethercat::check>()) {
+                if (al->state == goal_ && !al->error) break;
+                step_ = al->state == ethercat::al_state::pre_op && !al->error ? step::configure : step::pre_op;
+            }
+            return;
+        case step::pre_op: step_ = step::configure; return;
+        case step::configure: slave->is_configured = true; return;
+        case step::change: break;
+        }
+        if (goal_ == ethercat::al_state::init) slave->is_configured = false;
+        bus.note_state(*slave, {.state = goal_});
+        done_->complete({});
+    }
+    [[nodiscard]] bool is_over() const override { return done_->is_done(); }
+    void fail(error_code why) override { done_->complete(why); }
+
+  private:
+    enum class step : std::uint8_t { look, pre_op, configure, change };
+
+    slave_choice which_{};
+    ethercat::al_state goal_;
+    operation_ptr<> done_;
+    step step_{};
+    std::uint16_t station_{};
+};
+
+JAUSCAT_DECL std::unique_ptr<bus_job> make_start_job(operation_ptr<> done) {
+    return std::make_unique<start_job>(std::move(done));
+}
+JAUSCAT_DECL std::unique_ptr<bus_job> make_find_job(find_scope what, operation_ptr<> done) {
+    return std::make_unique<find_job>(what, std::move(done));
+}
+JAUSCAT_DECL std::unique_ptr<bus_job> make_look_job(std::uint16_t station) {
+    return std::make_unique<look_job>(station);
+}
+JAUSCAT_DECL std::unique_ptr<bus_job> make_change_job(const slave_choice& which, ethercat::al_state goal,
+                                                      operation_ptr<> done) {
+    return std::make_unique<change_job>(which, goal, std::move(done));
+}
+JAUSCAT_DECL std::unique_ptr<bus_job> make_change_job(std::uint16_t station, ethercat::al_state goal,
+                                                      operation_ptr<> done) {
+    return std::make_unique<change_job>(station, goal, std::move(done));
+}
+
+// ---- The operations.
+
+template <class... Results, class Make, class Take>
+void bus_state::ask(const slave_choice& which, operation_ptr<Results...> done, Make make, Take take) {
+    using job = slave_job<Make, Take, Results...>;
+    add(std::make_unique<job>(which, std::move(done), std::move(make), std::move(take)), options_.timeout);
+}
+
+JAUSCAT_DECL void bus_state::start(operation_ptr<> done) {
+    if (named_.empty()) return add(make_start_job(std::move(done)), options_.start_timeout);
+    add(make_find_job(find_scope::all, std::move(done)), options_.start_timeout);
+}
+JAUSCAT_DECL void bus_state::start_once(operation_ptr<> done) {
+    add(make_find_job(find_scope::once, std::move(done)), options_.start_timeout);
+}
+JAUSCAT_DECL void bus_state::read(const slave_choice& which, std::uint16_t index, std::uint8_t subindex,
+                                  std::optional<std::size_t> size, operation_ptr<object_bytes> done) {
+    ask(
+        which, std::move(done),
+        [=, this](const bus_slave& slave) {
+            return ethercat::upload{slave.info.station, index, subindex, memory_, {.size = size}};
+        },
+        [](auto value, auto& to) { to.complete({}, {value.begin(), value.end()}); });
+}
+JAUSCAT_DECL void bus_state::write(const slave_choice& which, std::uint16_t index, std::uint8_t subindex,
+                                   object_bytes value, operation_ptr<> done) {
+    ask(
+        which, std::move(done),
+        [=, this, data = std::move(value)](const bus_slave& slave) {
+            return ethercat::download{slave.info.station, index, subindex, data, download_options()};
+        },
+        [](auto& to) { to.complete({}); });
+}
+JAUSCAT_DECL void bus_state::list_objects(const slave_choice& which, ethercat::object_list_type list,
+                                          operation_ptr<std::vector<std::uint16_t>> done) {
+    ask(
+        which, std::move(done),
+        [=, this](const bus_slave& slave) { return ethercat::list_objects{slave.info.station, list, memory_}; },
+        [](const auto& indices, auto& to) {
+            std::vector<std::uint16_t> all;
+            for (const auto index : indices) all.push_back(index);
+            to.complete({}, std::move(all));
+        });
+}
+JAUSCAT_DECL void bus_state::describe(const slave_choice& which, std::uint16_t index,
+                                      operation_ptr<object_information> done) {
+    ask(
+        which, std::move(done),
+        [=, this](const bus_slave& slave) { return ethercat::describe_object{slave.info.station, index, memory_}; },
+        [](const auto& found, auto& to) { to.complete({}, {found.object, std::string{found.name}}); });
+}
+JAUSCAT_DECL void bus_state::describe_entry(const slave_choice& which, std::uint16_t index, std::uint8_t subindex,
+                                            operation_ptr<entry_information> done) {
+    constexpr std::uint8_t all_values = 0x7F;
+    ask(
+        which, std::move(done),
+        [=, this](const bus_slave& slave) {
+            return ethercat::describe_entry{slave.info.station, index, subindex, all_values, memory_};
+        },
+        [](const auto& found, auto& to) {
+            const auto copy = [](auto value) { return object_bytes(value.begin(), value.end()); };
+            to.complete({}, {found.entry, std::string{found.name}, found.unit, copy(found.default_value),
+                             copy(found.minimum), copy(found.maximum)});
+        });
+}
+JAUSCAT_DECL void bus_state::state(const slave_choice& which, operation_ptr<ethercat::al_status> done) {
+    ask(
+        which, std::move(done), [](const bus_slave& slave) { return ethercat::check{slave.info.station}; },
+        [](const ethercat::al_status& al, auto& to) { to.complete({}, al); });
+}
+JAUSCAT_DECL void bus_state::change(const slave_choice& which, ethercat::al_state goal, operation_ptr<> done) {
+    {
+        const auto locked = lock();
+        error_code error;
+        const auto* const slave = operated_.empty() ? nullptr : find(which, error);
+        const auto operated = slave == nullptr
+                                  ? operated_.end()
+                                  : std::ranges::find(operated_, slave->info.station, &operated_slave::station);
+        if (operated != operated_.end() && goal != ethercat::al_state::op) {
+            (*operated)->end(goal, std::move(done));
+            return wake();
+        }
+    }
+    add(make_change_job(which, goal, std::move(done)), options_.timeout);
+}
+
+} // namespace app
+} // namespace JAUSCAT_WAY
+} // namespace jauscat

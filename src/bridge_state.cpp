@@ -1,0 +1,2 @@
+// The components of a bridge.
+#include <jauscat/app/impl/bridge_state.ipp>

@@ -1,0 +1,2 @@
+// The slaves of a bridge.
+#include <jauscat/app/impl/served_slave.ipp>
