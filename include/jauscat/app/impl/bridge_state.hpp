@@ -179,7 +179,7 @@ class served_slave final : public bus_user {
     std::string last_problem_{};
     bool works_{};       ///< between start and stop
     bool is_served_{};   ///< the ring has the front
-    bool has_been_up_{}; ///< since the start
+    bool has_been_up_{}; ///< since the start, until the bus ends
 };
 
 /// Keeps the bus in memory; the node keeps it.

@@ -1,11 +1,10 @@
-// The functions of bridge_state.
+// A bridge: its components, and their start and end.
 #pragma once
 #include <jauscat/app/impl/bridge_state.hpp>
 #include <jauscat/app/impl/bus_state.hpp>
 #include <jauscat/app/impl/node_state.hpp>
 #include <jauscat/net/node/detail/configured_identity.hpp>
 #include <jauscat/schema/translation/command_ranks.hpp>
-#include <jauscat/text/jaus.hpp>
 
 #include <boost/asio/post.hpp>
 

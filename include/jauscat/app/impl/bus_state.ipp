@@ -6,10 +6,7 @@
 #include <boost/asio/post.hpp>
 
 #include <algorithm>
-#include <exception>
 #include <iostream>
-#include <stdexcept>
-#include <tuple>
 #include <utility>
 
 namespace jauscat {

@@ -2,6 +2,8 @@
 #pragma once
 #include <jauscat/app/impl/bus_jobs.hpp>
 
+#include <boost/asio/post.hpp>
+
 #include <algorithm>
 #include <array>
 #include <exception>
