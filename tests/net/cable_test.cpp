@@ -95,6 +95,22 @@ TEST_CASE("the cable is unplugged during a transfer and plugged in again", "[vet
     b.works();
 }
 
+TEST_CASE("a frame that the interface drops is lost, as on the wire, and is no refusal", "[veth]") {
+    bench b;
+    test::slave_thread slave{"jc1", b.slaves, [](auto&) {}};
+    b.works();
+    REQUIRE(ip("link set jc1 mtu 68")); // the kernel drops longer frames: "No buffer space available"
+    std::vector<std::byte> frame(200, std::byte{0xFF});
+    CHECK(b.link.send(frame));
+    std::array<std::byte, ethercat::max_frame_size> buffer{};
+    CHECK(b.link.receive(buffer, 1ms) == 0);
+    CHECK(b.link.problem() == "interface jc0: No buffer space available");
+    CHECK(b.download().error().code == master_errc::no_reply);
+    REQUIRE(ip("link set jc1 mtu 1500"));
+    b.works();
+    CHECK(b.link.problem().empty());
+}
+
 TEST_CASE("a short interruption of the cable costs only time", "[veth]") {
     bench b;
     // It is out for as long as the machine needs for two commands.

@@ -36,7 +36,8 @@ class raw_link {
     raw_link(raw_link&&) = default;
 
     /// Sends a frame, padded to 60 bytes, with the interface's address as source if the frame has zeros there.
-    /// False if it has no Ethernet header or the interface refuses it; `problem()` has the reason.
+    /// False if it has no Ethernet header or the interface refuses it; `problem()` has the reason. A frame that the
+    /// interface accepts and drops is lost as on the wire: true, and a `receive` without a frame reports it.
     [[nodiscard]] JAUSCAT_DECL bool send(std::span<const std::byte> frame);
 
     /// The next frame, padded to 60 bytes. `buffer` must have 60 bytes, or nothing is received; 1514 hold every frame.
@@ -62,8 +63,8 @@ class raw_link {
 
     JAUSCAT_DECL std::optional<std::size_t> take(std::span<std::byte> buffer, int flags);
 
-    /// Determines the reason for a failure with `error`, or for a missing frame (0). Binds again to an interface that
-    /// was removed and has returned under its name, such as a USB adapter.
+    /// Determines the reason for a failure or a missing frame; `error` is the system's, or 0. Binds again to an
+    /// interface that was removed and has returned under its name, such as a USB adapter.
     JAUSCAT_DECL void explain(int error);
 
     /// Binds to the interface that has the name now.
@@ -88,6 +89,7 @@ class raw_link {
     unsigned index_{};
     std::array<std::byte, 6> mac_{};
     std::string problem_{};
+    int lost_{}; ///< the system's error that dropped the last frame sent, or 0
 };
 
 } // namespace JAUSCAT_WAY

@@ -35,6 +35,7 @@ JAUSCAT_DECL raw_link::raw_link(std::string interface) : name_{std::move(interfa
 
 JAUSCAT_DECL bool raw_link::send(std::span<const std::byte> frame) {
     problem_.clear();
+    lost_ = 0;
     if (frame.size() < header_size) {
         problem_ = "a frame of " + std::to_string(frame.size()) + " bytes has no Ethernet header";
         return false;
@@ -49,6 +50,10 @@ JAUSCAT_DECL bool raw_link::send(std::span<const std::byte> frame) {
     message.msg_iov = parts.data();
     message.msg_iovlen = parts.size();
     if (::sendmsg(socket_.get(), &message, MSG_DONTWAIT) >= 0) return true;
+    if (errno == ENOBUFS) { // dropped by the queue or the driver, such as until the kernel takes note of a lost link
+        lost_ = errno;
+        return true;
+    }
     explain(errno);
     return false;
 }
@@ -56,7 +61,7 @@ JAUSCAT_DECL bool raw_link::send(std::span<const std::byte> frame) {
 JAUSCAT_DECL std::size_t raw_link::receive(std::span<std::byte> buffer, duration timeout) {
     problem_.clear();
     const auto size = wait_.receive(socket_.get(), buffer, timeout, [&](int flags) { return take(buffer, flags); });
-    if (size == 0 && problem_.empty() && timeout > duration{}) explain(0);
+    if (size == 0 && problem_.empty() && timeout > duration{}) explain(lost_);
     return size;
 }
 
