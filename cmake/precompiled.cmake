@@ -1,0 +1,16 @@
+# jauscat_precompiled(target...): programs of this repository that link jauscat::compiled. With clang the headers of the
+# library are compiled once for all of them: a program takes half the time. g++ reads what it has precompiled too slowly.
+function(jauscat_precompiled)
+    if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang" OR NOT CMAKE_BUILD_TYPE STREQUAL Debug)
+        return()
+    endif()
+    if(NOT TARGET jauscat_precompiled_headers)
+        file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "")
+        add_library(jauscat_precompiled_headers OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/precompiled.cpp)
+        target_link_libraries(jauscat_precompiled_headers PRIVATE jauscat::compiled jauscat_warnings)
+        target_precompile_headers(jauscat_precompiled_headers PRIVATE <jauscat/app.hpp> <jauscat/jauscat.hpp> <jauscat/net.hpp>)
+    endif()
+    foreach(target IN LISTS ARGN)
+        target_precompile_headers(${target} REUSE_FROM jauscat_precompiled_headers)
+    endforeach()
+endfunction()
