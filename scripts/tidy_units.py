@@ -16,8 +16,6 @@ build, folder, *sources = sys.argv[1:]
 commands = {entry["file"]: entry["command"] for entry in json.loads(pathlib.Path(build, "compile_commands.json").read_text())}
 alone = re.compile(r"^template <.*> (struct|constexpr).* jauscat::|^namespace [a-z:_]+ \{|^# +include", re.MULTILINE)
 program = re.compile(r"^int main\(", re.MULTILINE)
-
-
 separate = "-DJAUSCAT_SEPARATE_COMPILATION"
 groups = {True: [], False: []}  # whether it links jauscat::compiled
 for source in map(str, map(pathlib.Path.absolute, map(pathlib.Path, sources))):
@@ -28,10 +26,11 @@ for source in map(str, map(pathlib.Path.absolute, map(pathlib.Path, sources))):
         print("-p", build, source)
 
 
-def options(sources):
-    """What the sources need to compile: macros, and folders of headers."""
-    words = [word for source in sources for word in shlex.split(commands[source].replace("-isystem ", "-isystem"))]
+def options(members):
+    """The options that the members need to compile: macros, folders of headers, warnings, the standard."""
+    words = [word for source in members for word in shlex.split(commands[source].replace("-isystem ", "-isystem"))]
     return sorted({word for word in words if re.match("-[DIW]|-isystem|-std=", word)} - {"-Werror"})
+
 
 pathlib.Path(folder).mkdir(parents=True, exist_ok=True)
 count = 0
