@@ -10,7 +10,7 @@ namespace {
 // Runs everything once under callgrind, which leaves a file of counts for each side of each pair.
 int count_instructions() {
 #ifdef CALLGRIND_ZERO_STATS
-    CALLGRIND_DUMP_STATS; // else the first file has some of what was counted up to here, in spite of CALLGRIND_ZERO_STATS
+    CALLGRIND_DUMP_STATS; // else the first file has some of the setup's instructions, in spite of CALLGRIND_ZERO_STATS
     for (const auto& work : bench::all_work) {
         CALLGRIND_ZERO_STATS;
         work.run();
