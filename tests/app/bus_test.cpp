@@ -526,6 +526,43 @@ TEST_CASE("a bus in a thread of its own") {
     REQUIRE(support::until(b.context, [&] { return errors.size() == 5; }));
 }
 
+TEST_CASE("a bus may be stopped by its own report of a fault") {
+    const bool has_thread = GENERATE(false, true);
+    bus* stopped{};
+    int faults = 0;
+    bench b{three(), {.frame_timeout = 5ms, .thread = has_thread, .on_fault = [&](link_fault, std::string_view) {
+                          ++faults;
+                          stopped->stop();
+                      }}};
+    stopped = &*b.bus;
+    REQUIRE_FALSE(b.start());
+    b.ring.on_way_back([](std::span<std::byte> frame) { frame[23] |= std::byte{0x40}; }); // the circulating bit
+    std::vector<error_code> errors;
+    b.bus->slave(first).async_read<std::uint32_t>(0x2000, 0,
+                                                  [&](error_code why, std::uint32_t) { errors.push_back(why); });
+    REQUIRE(support::until(b.context, [&] { return faults == 1 && errors.size() == 1; }));
+    b.ring.on_way_back({});
+    CHECK_FALSE(b.start());
+}
+
+TEST_CASE("a bus in a thread of its own is stopped at any time") {
+    bench b{three(), {.thread = true}};
+    int aborted = 0, done = 0;
+    for (int i = 0; i != 20; ++i) {
+        REQUIRE_FALSE(b.start());
+        const auto drive = b.bus->slave(first);
+        for (int k = 0; k != 8; ++k) {
+            drive.async_write(0x2000, 0, std::uint32_t{7}, [&](error_code why) { ++(why ? aborted : done); });
+            drive.async_read<std::string>(0x1008, 0,
+                                          [&](error_code why, const std::string&) { ++(why ? aborted : done); });
+        }
+        REQUIRE(support::until(b.context, [&] { return aborted + done > 16 * i; }));
+        b.bus->stop(); // the next one is under way
+        REQUIRE(support::until(b.context, [&] { return aborted + done == 16 * (i + 1); }));
+    }
+    CHECK(aborted > 0);
+}
+
 TEST_CASE("a link that cannot be opened says why") {
     asio::io_context context;
     const auto opening = [&](const char* where) { const bus never{context, where}; };

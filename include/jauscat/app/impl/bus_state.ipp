@@ -291,7 +291,6 @@ JAUSCAT_DECL void bus_state::look_at_link() {
 JAUSCAT_DECL void bus_state::tell_fault(link_fault what, std::string_view line) const {
     log(line);
     if (!options_.on_fault) return;
-    if (!is_own_thread()) return options_.on_fault(what, line);
     boost::asio::post(context_, [weak = weak_from_this(), what, text = std::string{line}] {
         const auto self = weak.lock();
         if (!self) return;
@@ -333,7 +332,6 @@ JAUSCAT_DECL void bus_state::stop() noexcept {
         on_cycle.swap(kept);
         end_operations();
         for (auto* const user : std::exchange(users_, {})) user->bus_ends();
-        current_.reset();
         is_started_ = false;
         attempt([&] {
             if (runner_) runner_->stop();
@@ -341,6 +339,7 @@ JAUSCAT_DECL void bus_state::stop() noexcept {
     }
     if (thread_) thread_->stop(); // without the lock, which it waits for
     thread_.reset();
+    current_.reset(); // the master uses its data until then
     work_.reset();
     runner_.reset();
     timer_.reset();
