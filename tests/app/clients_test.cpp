@@ -11,9 +11,12 @@
 #include <boost/asio/use_future.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <exception>
 #include <memory>
 #include <optional>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -284,28 +287,126 @@ TEST_CASE("components are found by their ID, name and messages, on all nodes tha
     CHECK(test.until([&] { return has(disappeared, test.robots.manager()); }));
 }
 
-TEST_CASE("operations end with operation_aborted when their component goes away") {
+/// Each operation of a component is under way.
+struct pending_operations : driver_and_operator {
+    std::vector<error_code> errors{};
+    std::optional<jauscat::component> other{std::in_place, mine, jauscat::component_options{.id = 41}};
+    jauscat::control control{};
+    jauscat::subscription<jaus::report_wrench_effort> efforts{};
+    static constexpr std::size_t count = 8;
+
+    pending_operations() : driver_and_operator{not_started{}} {
+        start();
+        run([&]() -> boost::asio::awaitable<void> {
+            control = co_await other->async_control(arm, {});
+            efforts = co_await other->async_connect<jaus::report_wrench_effort>(arm, {.rate = 1});
+            co_await efforts.async_next();
+        });
+        const auto note = [&](error_code error, auto&&...) { errors.push_back(error); };
+        auto nobody = arm;
+        nobody.component = 99;
+        other->async_send(nobody, jaus::standby{}, note);
+        other->async_ask(nobody, jaus::query_global_pose{}, note);
+        other->async_control(nobody, {}, note);
+        other->async_connect<jaus::report_global_pose>(nobody, {}, note);
+        other->async_event<jaus::report_global_pose>(nobody, {.event_type = jaus::event_type::every_change}, note);
+        other->async_find({.timeout = std::chrono::hours{1}}, note);
+        efforts.async_next(note);
+        control.async_lost(note);
+        bool begun = false;
+        boost::asio::post(context, [&] { begun = true; }); // behind them
+        REQUIRE(until([&] { return begun; }));
+        CHECK(errors.empty());
+    }
+    bool are_aborted() {
+        return until([&] { return errors.size() == count; }) &&
+               std::ranges::all_of(errors, [](error_code e) { return e == boost::asio::error::operation_aborted; });
+    }
+};
+
+TEST_CASE("all operations end with operation_aborted") {
+    pending_operations test;
+    SECTION("when their component goes away") { test.other.reset(); }
+    SECTION("when their node stops") { test.mine.stop(); }
+    SECTION("by cancel, which leaves control and subscriptions as they are") {
+        test.other->cancel();
+        CHECK(test.are_aborted());
+        CHECK(test.control.is_held());
+        test.done = false;
+        test.run([&]() -> boost::asio::awaitable<void> {
+            co_await test.control.async_send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50});
+            co_await test.efforts.async_next();
+        });
+        CHECK(test.errors.size() == test.count);
+        return;
+    }
+    CHECK(test.are_aborted());
+    CHECK_FALSE(test.control.is_held());
+}
+
+TEST_CASE("handles say that they have ended") {
+    driver_and_operator test;
+    test.run([&]() -> boost::asio::awaitable<void> {
+        error_code why;
+        auto into = boost::asio::redirect_error(boost::asio::use_awaitable, why);
+        auto control = co_await test.unit.async_control(test.arm, {});
+        auto efforts = co_await test.unit.async_connect<jaus::report_wrench_effort>(test.arm, {.rate = 100});
+        CHECK(efforts);
+        efforts.end();
+        CHECK_FALSE(efforts);
+        co_await efforts.async_next(into);
+        CHECK(why == boost::asio::error::operation_aborted);
+        auto moved = std::move(efforts);
+        CHECK_FALSE(moved);
+        control.release();
+        CHECK_FALSE(control.is_held());
+        CHECK(control.of() == test.arm);
+        co_await control.async_send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 5}, into);
+        CHECK(why == jauscat::node_errc::control_lost);
+        co_await control.async_lost(into);
+        CHECK(why == jauscat::node_errc::control_lost);
+        co_await control.async_release(into);
+        CHECK(why == jauscat::node_errc::control_lost);
+    });
+}
+
+TEST_CASE("the outcome of a large message that was cancelled is not that of the next one") {
+    operator_and_robot test;
+    int taken = 0;
+    test.driver.on([&](const jaus::report_image& image) {
+        ++taken;
+        return image.image_data.size() == 100'000 ? jaus::message_outcome::handled : jaus::message_outcome::refused;
+    });
+    test.driver.ready();
+    test.start();
+    const std::vector<std::byte> small(50'000), large(100'000);
+    std::vector<error_code> errors;
+    const auto note = [&](error_code error) { errors.push_back(error); };
+    test.unit.async_send(test.arm, jaus::report_image{.image_data = small}, note);
+    bool begun = false;
+    boost::asio::post(test.context, [&] { begun = true; });
+    REQUIRE(test.until([&] { return begun; }));
+    test.unit.cancel();
+    REQUIRE(test.until([&] { return errors.size() == 1; }));
+    CHECK(errors[0] == boost::asio::error::operation_aborted);
+    test.unit.async_send(test.arm, jaus::report_image{.image_data = large}, note);
+    REQUIRE(test.until([&] { return errors.size() == 2; }));
+    CHECK(errors[1] == error_code{});
+}
+
+TEST_CASE("operations that have not begun end with operation_aborted when their component goes away") {
     operator_and_robot test;
     test.driver.ready();
     std::vector<error_code> errors;
     const auto note = [&](error_code error, auto&&...) { errors.push_back(error); };
     std::optional<jauscat::component> unit{std::in_place, test.mine, jauscat::component_options{.id = 41}};
-    std::optional<jauscat::subscription<jaus::report_global_pose>> stream;
     test.start();
     auto nobody = test.arm;
     nobody.component = 99;
     unit->async_send(nobody, jaus::standby{}, note);
-    unit->async_ask(nobody, jaus::query_global_pose{}, note);
-    unit->async_control(nobody, {}, note);
-    unit->async_connect<jaus::report_global_pose>(nobody, {}, note);
-    unit->async_event<jaus::report_global_pose>(nobody, {.event_type = jaus::event_type::every_change}, note);
-    bool begun = false;
-    boost::asio::post(test.context, [&] { begun = true; }); // behind them
-    REQUIRE(test.until([&] { return begun; }));
-    unit->async_send(nobody, jaus::standby{}, note); // not begun
-    CHECK(errors.empty());
+    unit->async_find({}, note);
     unit.reset();
-    REQUIRE(test.until([&] { return errors.size() == 6; }));
+    REQUIRE(test.until([&] { return errors.size() == 2; }));
     CHECK(std::ranges::all_of(errors, [](error_code e) { return e == boost::asio::error::operation_aborted; }));
 }
 
@@ -352,6 +453,7 @@ TEST_CASE("each error of an operation is told apart") {
         elsewhere.subsystem = 77;
         co_await test.unit.async_send(elsewhere, command, into);
         CHECK(why == node_errc::unroutable);
+        CHECK(test.has_logged("Set Wrench Effort to 77.1.33.1 is not sent"));
         auto nobody = test.arm;
         nobody.component = 99;
         co_await test.unit.async_send(nobody, command, into);
@@ -376,7 +478,34 @@ TEST_CASE("each error of an operation is told apart") {
 
 #endif
 
-TEST_CASE("a thread that blocks gets the result by a future") {
+TEST_CASE("a thread starts operations, and waits for each by a future") {
+    operator_and_robot test;
+    int commands = 0;
+    test.driver.on([&](const jaus::set_wrench_effort&) { ++commands; });
+    test.driver.ready();
+    test.start();
+    std::atomic<bool> is_over{};
+    std::exception_ptr problem;
+    jaus::report_component_status status{};
+    std::jthread other{[&] {
+        try {
+            using boost::asio::use_future;
+            status = test.unit.async_ask(test.arm, jaus::query_component_status{}, use_future).get();
+            auto control = test.unit.async_control(test.arm, {}, use_future).get();
+            control.async_send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 5}, use_future).get();
+        } catch (...) {
+            problem = std::current_exception();
+        }
+        is_over = true;
+    }};
+    REQUIRE(test.until([&] { return is_over.load(); }));
+    CHECK(problem == nullptr);
+    CHECK(status.primary_status_code == jaus::primary_status_code::ready);
+    CHECK(commands == 1);
+    CHECK(test.until([&] { return !test.driver.controller(); })); // released by the thread
+}
+
+TEST_CASE("futures have the results of operations") {
     operator_and_robot test;
     test.driver.ready();
     test.start();

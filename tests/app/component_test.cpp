@@ -1,8 +1,12 @@
 #include "two_nodes.hpp"
 #include <jauscat/schema/jaus/platform.hpp>
 
+#include <boost/asio/steady_timer.hpp>
+
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -108,6 +112,231 @@ TEST_CASE("an exception of a handler is logged with its message, and stops the c
     CHECK(test.driver.state() == state::ready);
 }
 
+TEST_CASE("an exception of any function of the application brings the component to Failure before it obeys again") {
+    int commands = 0, stopped = 0;
+    bool throws = false;
+    const auto fault = [&] {
+        if (throws) throw std::runtime_error{"the battery is gone"};
+    };
+    operator_and_robot test;
+    test.driver.on([&](const jaus::set_wrench_effort&) { ++commands; });
+    test.driver.when_stopped([&] { ++stopped; });
+    SECTION("when_ready") { test.driver.when_ready(fault); }
+    SECTION("when_controlled") {
+        test.driver.when_controlled([&](const std::optional<jaus::address>&) { fault(); });
+    }
+    SECTION("every") { test.driver.every(std::chrono::milliseconds{1}, fault); }
+    SECTION("a report") {
+        test.driver.reports([&] {
+            fault();
+            return jaus::report_wrench_effort{};
+        });
+    }
+    test.driver.ready();
+    test.start();
+    bool has_event = false, has_control = false;
+    jauscat::subscription<jaus::report_wrench_effort> events;
+    jauscat::control control;
+    test.unit.async_event<jaus::report_wrench_effort>(
+        test.arm, jaus::create_event{.event_type = jaus::event_type::every_change},
+        [&](error_code, jauscat::subscription<jaus::report_wrench_effort> made) {
+            events = std::move(made);
+            has_event = true;
+        });
+    REQUIRE(test.until([&] { return has_event; }));
+    throws = true;
+    test.driver.changed();
+    outcome reset;
+    test.unit.async_send(test.arm, jaus::reset{}, reset());
+    REQUIRE(test.until([&] { return reset.error.has_value(); }));
+    test.unit.async_control(test.arm, {}, [&](error_code, jauscat::control made) {
+        control = std::move(made);
+        has_control = true;
+    });
+    REQUIRE(test.until([&] { return has_control && test.driver.state() == state::failure; }));
+    CHECK(stopped > 0);
+    CHECK(test.has_logged("the battery is gone"));
+    outcome of;
+    test.unit.async_send(test.arm, jaus::set_wrench_effort{.propulsive_linear_effort_x = 5}, of());
+    REQUIRE(test.until([&] { return of.error.has_value(); }));
+    CHECK(*of.error == jauscat::node_errc::refused);
+    CHECK(commands == 0);
+}
+
+TEST_CASE("a component that fails when it becomes Ready does not obey the next command") {
+    int commands = 0;
+    operator_and_robot test;
+    test.driver.on([&](const jaus::set_wrench_effort&) { ++commands; });
+    test.driver.when_ready([] { throw std::runtime_error{"the brake is closed"}; });
+    test.start();
+    test.driver.ready();
+    CHECK(test.driver.state() == state::failure);
+    test.driver.when_ready([] {});
+    test.driver.ready();
+    CHECK(test.driver.state() == state::ready);
+}
+
+TEST_CASE("when_stopped may fail its component, in an emergency, too") {
+    int stopped = 0, emergencies = 0;
+    operator_and_robot test;
+    const auto fails = GENERATE(true, false);
+    test.driver.when_stopped([&] {
+        ++stopped;
+        if (!fails) throw std::runtime_error{"the brake does not close"};
+        test.driver.fail("the brake does not close");
+    });
+    test.driver.when_emergency([&](bool begins) { emergencies += begins ? 1 : 0; });
+    test.driver.ready();
+    test.start();
+    outcome of;
+    test.unit.async_send(test.arm, jaus::set_emergency{}, of());
+    REQUIRE(test.until([&] { return of.error.has_value(); }));
+    CHECK(test.driver.state() == state::emergency);
+    CHECK(emergencies == 1);
+    CHECK(stopped == 2); // by the emergency, and by the failure
+    CHECK(test.has_logged("the brake does not close"));
+    test.robots.stop();
+    CHECK(stopped == 3);
+}
+
+TEST_CASE("when_stopped may stop its node, which stops once") {
+    int stopped = 0;
+    operator_and_robot test;
+    test.driver.when_stopped([&] {
+        ++stopped;
+        test.robots.stop();
+    });
+    test.driver.ready();
+    test.start();
+    SECTION("at its end") { test.robots.stop(); }
+    SECTION("at a failure") { test.driver.fail("no power"); }
+    CHECK(stopped > 0);
+    CHECK(stopped <= 2);
+    outcome of;
+    test.unit.async_send(test.arm, jaus::standby{}, of());
+    REQUIRE(test.until([&] { return of.error.has_value(); }));
+    CHECK(*of.error == jauscat::node_errc::no_answer);
+}
+
+TEST_CASE("a component may end in its own functions") {
+    two_nodes test;
+    jauscat::node mine{test.context, test.options("operator")}, robots{test.context, test.options("robot")};
+    jauscat::component unit{mine, {.id = 32}};
+    std::optional<jauscat::component> driver{std::in_place, robots, jauscat::component_options{.id = 33}};
+    const auto arm = driver->address();
+    const std::string still_there = "a text that is too long to be kept in the string";
+    std::string seen;
+    const auto end = [&, text = still_there] {
+        driver.reset();
+        seen = text; // of a function that still exists
+    };
+    bool by_message = true;
+    SECTION("when_ready") {
+        driver->when_ready(end);
+        by_message = false;
+    }
+    SECTION("when_stopped") { driver->when_stopped(end); }
+    SECTION("when_controlled") {
+        driver->when_controlled([=](const std::optional<jaus::address>&) { end(); });
+    }
+    SECTION("a handler") {
+        driver->on([=](const jaus::set_wrench_effort&) { end(); });
+    }
+    robots.start();
+    mine.start();
+    driver->ready();
+    outcome of;
+    if (by_message) {
+        unit.async_control(arm, {}, [](error_code, jauscat::control) {});
+        unit.async_send(arm, jaus::set_wrench_effort{}, of());
+        unit.async_send(arm, jaus::standby{}, of());
+    }
+    REQUIRE(test.until([&] { return !seen.empty(); }));
+    CHECK(seen == still_there);
+    CHECK_FALSE(driver.has_value());
+}
+
+TEST_CASE("what when_stopped changes is reported at once") {
+    jaus::report_wrench_effort effort{};
+    operator_and_robot test;
+    jauscat::component watcher{test.robots, {.id = 40}};
+    test.driver.on([&](const jaus::set_wrench_effort& told) { jaus::copy_present(told, effort); });
+    test.driver.reports([&] { return effort; });
+    test.driver.when_stopped([&] { effort = {.propulsive_linear_effort_x = 0}; });
+    test.driver.ready();
+    test.start();
+    jauscat::subscription<jaus::report_wrench_effort> events;
+    watcher.async_event<jaus::report_wrench_effort>(
+        test.arm, jaus::create_event{.event_type = jaus::event_type::every_change},
+        [&](error_code why, jauscat::subscription<jaus::report_wrench_effort> made) {
+            CHECK(why == error_code{});
+            events = std::move(made);
+        });
+    REQUIRE(test.until([&] { return static_cast<bool>(events); }));
+    const auto next = [&] {
+        std::optional<double> x;
+        events.async_next([&](error_code why, const jaus::report_wrench_effort& is) {
+            CHECK(why == error_code{});
+            x = is.propulsive_linear_effort_x.value_or(-1);
+        });
+        REQUIRE(test.until([&] { return x.has_value(); }));
+        return *x;
+    };
+    outcome of; // control without heartbeats
+    test.unit.async_send(test.arm, jaus::request_component_control{.authority_code = 200}, of());
+    REQUIRE(test.until([&] { return test.driver.controller().has_value(); }));
+    outcome commanded;
+    test.unit.async_send(test.arm, jaus::set_wrench_effort{.propulsive_linear_effort_x = 50}, commanded());
+    CHECK(next() == Approx(50).margin(0.01));
+    SECTION("when its controller is silent") { test.mine.stop(); }
+    SECTION("when it rejects its controller") { test.driver.reject_control(); }
+    SECTION("when it fails") { test.driver.fail("no power"); }
+    CHECK(next() == Approx(0).margin(0.01));
+}
+
+TEST_CASE("each instance of a component takes its own messages") {
+    std::vector<int> taken;
+    operator_and_robot test;
+    jauscat::component second{test.robots, {.id = 33, .instance = 2}};
+    test.driver.on([&](const jaus::set_wrench_effort&) { taken.push_back(1); });
+    second.on([&](const jaus::set_wrench_effort&) { taken.push_back(2); });
+    test.driver.ready();
+    second.ready();
+    test.start();
+    for (const auto& to : {second.address(), test.driver.address()}) {
+        outcome of;
+        test.unit.async_send(to, jaus::set_wrench_effort{.propulsive_linear_effort_x = 1}, of());
+        REQUIRE(test.until([&] { return of.error.has_value(); }));
+        CHECK(*of.error == error_code{});
+    }
+    CHECK(taken == std::vector{2, 1});
+}
+
+TEST_CASE("run returns after stop, also in a context with other work, and runs again") {
+    two_nodes test;
+    boost::asio::steady_timer other{test.context, std::chrono::hours{1}};
+    bool is_own = false;
+    SECTION("of the program") {
+        other.async_wait([](error_code) {});
+    }
+    SECTION("of the node") { is_own = true; }
+    std::optional<jauscat::node> node;
+    if (is_own)
+        node.emplace(test.options("robot"));
+    else
+        node.emplace(test.context, test.options("robot"));
+    int calls = 0;
+    jauscat::component driver{*node, {.id = 33}};
+    driver.every(std::chrono::milliseconds{1}, [&] {
+        ++calls;
+        node->stop();
+    });
+    for (int i = 1; i != 4; ++i) {
+        CHECK(node->run() == EXIT_SUCCESS);
+        CHECK(calls == i);
+    }
+}
+
 TEST_CASE("periodic functions are called while the node runs, and not after its end") {
     operator_and_robot test;
     int calls = 0;
@@ -126,6 +355,8 @@ TEST_CASE("periodic functions are called while the node runs, and not after its 
 TEST_CASE("components cannot have the same ID, a wrong one, or come too late") {
     operator_and_robot test;
     CHECK_THROWS_AS((jauscat::component{test.robots, {.id = 33}}), std::invalid_argument);
+    CHECK_THROWS_WITH((jauscat::component{test.robots, {.id = 33}}),
+                      Catch::Contains("2.1.33.1") && Catch::Contains("another ID or instance"));
     CHECK_THROWS_AS((jauscat::component{test.robots, {.id = 0}}), std::invalid_argument);
     CHECK_THROWS_AS((jauscat::component{test.robots, {.id = 1}}), std::invalid_argument);
     CHECK_NOTHROW((jauscat::component{test.robots, {.id = 33, .instance = 2}}));

@@ -159,6 +159,7 @@ JAUSCAT_DECL void begin_find(const std::shared_ptr<component_state>&, const find
                              const operation_ptr<std::vector<found_component>>& done);
 JAUSCAT_DECL void begin_lost(const std::shared_ptr<control_state>&, const operation_ptr<>& done);
 JAUSCAT_DECL void end(const std::shared_ptr<control_state>&) noexcept;
+JAUSCAT_DECL void cancel(const std::shared_ptr<component_state>&);
 JAUSCAT_DECL std::shared_ptr<component_state> component_of(const control_state&) noexcept;
 JAUSCAT_DECL boost::asio::io_context& context_of(const subscription_state&) noexcept;
 JAUSCAT_DECL boost::asio::io_context& context_of(const control_state&) noexcept;

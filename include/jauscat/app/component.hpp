@@ -185,6 +185,10 @@ class component {
             token, state_, options);
     }
 
+    /// Aborts all operations of this component, also those of its controls and subscriptions, which stay. From any
+    /// thread; for programs with a Boost before 1.77, which has no cancellation slots.
+    JAUSCAT_DECL void cancel();
+
   private:
     template <class F> void take(F f);
 

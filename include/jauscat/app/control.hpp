@@ -5,7 +5,8 @@
 namespace jauscat {
 inline namespace JAUSCAT_WAY {
 
-/// Control of another component: kept by heartbeats and requests, released with this object.
+/// Control of another component: kept by heartbeats and requests, released with this object. The functions are of
+/// objects that component::async_control has made.
 class control {
   public:
     control() = default;
@@ -16,6 +17,7 @@ class control {
         if (this != &other) {
             release();
             state_ = std::move(other.state_);
+            is_released_ = other.is_released_;
         }
         return *this;
     }
@@ -29,7 +31,7 @@ class control {
     /// Releases control, and completes when the component has acknowledged that. Errors: as component::async_send
     /// (refused: another component has control already), and control_lost.
     template <class Token = default_token> auto async_release(Token&& token = Token{});
-    /// Completes when control is lost, with control_lost, or operation_aborted after `release`.
+    /// Completes when control is lost, with control_lost, or operation_aborted when it is released.
     template <class Token = default_token> auto async_lost(Token&& token = Token{}) {
         return boost::asio::async_initiate<Token, void(app::error_code)>(
             [](auto handler, const std::shared_ptr<app::control_state>& state) {
@@ -43,11 +45,12 @@ class control {
     /// The component that is controlled.
     [[nodiscard]] JAUSCAT_DECL const jaus::address& of() const noexcept;
     void release() noexcept {
-        if (state_) app::end(std::exchange(state_, nullptr));
+        if (state_ && !std::exchange(is_released_, true)) app::end(state_);
     }
 
   private:
     std::shared_ptr<app::control_state> state_{};
+    bool is_released_{};
 };
 
 namespace app {

@@ -16,12 +16,14 @@ template <jaus::coded_message Report> class subscription {
         if (this != &other) {
             end();
             state_ = std::move(other.state_);
+            is_ended_ = other.is_ended_;
         }
         return *this;
     }
 
     /// The next report. Errors: silent (once each time the reports stop; they may continue), connection_refused by a
-    /// provider that has restarted, malformed_answer; operation_aborted after `end`. One operation at a time.
+    /// provider that has restarted, malformed_answer; operation_aborted after `end`. One operation at a time. Only of
+    /// an object that async_connect or async_event has made.
     template <class Token = default_token> auto async_next(Token&& token = Token{}) {
         return boost::asio::async_initiate<Token, void(app::error_code, received<Report>)>(
             [](auto handler, const std::shared_ptr<app::subscription_state>& state) {
@@ -34,12 +36,13 @@ template <jaus::coded_message Report> class subscription {
     [[nodiscard]] std::uint64_t dropped() const noexcept { return state_ ? app::dropped_of(*state_) : 0; }
     /// Ends the connection or the event.
     void end() noexcept {
-        if (state_) app::end(std::exchange(state_, nullptr));
+        if (state_ && !std::exchange(is_ended_, true)) app::end(state_);
     }
-    [[nodiscard]] explicit operator bool() const noexcept { return state_ != nullptr; }
+    [[nodiscard]] explicit operator bool() const noexcept { return state_ != nullptr && !is_ended_; }
 
   private:
     std::shared_ptr<app::subscription_state> state_{};
+    bool is_ended_{};
 };
 
 } // namespace JAUSCAT_WAY

@@ -56,8 +56,8 @@ class clients {
     void on_time(time_point now, jaus::message_sink out);
     [[nodiscard]] std::optional<time_point> next_event() const;
     void on_lost(const jaus::address& who);
-    /// A message of the component was acknowledged, or not; also a large data set.
-    void on_delivered(const jaus::header& head, jaus::delivered what);
+    /// A message of the component was acknowledged, or not. Large data sets to one receiver end in their order.
+    void on_delivered(const jaus::header& head, jaus::delivered what, bool is_large);
     /// All operations end, control is released.
     void end_all(error_code why, time_point now, jaus::message_sink out) noexcept;
 
@@ -73,6 +73,8 @@ class clients {
     void control(const control_options& options, std::shared_ptr<control_state> made);
     /// Ends what cancelled operations have begun.
     void end_cancelled();
+    /// Aborts all operations; connections, events and control stay.
+    void cancel();
     /// `done`, if any, ends when it is acknowledged.
     void release(control_state& released, const operation_ptr<>& done = {});
 
@@ -84,6 +86,7 @@ class clients {
     struct sent_message { ///< waits for its acknowledgement
         jaus::header head{};
         operation_ptr<> done{};
+        bool is_large{}; ///< a large data set: known by receiver and command code, not by a number
     };
     struct question { ///< waits for its report
         jaus::header head{};
@@ -93,6 +96,7 @@ class clients {
         std::vector<std::byte> message{}; ///< to be repeated; empty if the component's acknowledged_sender does it
         time_point repeated_at{};
         std::uint32_t made{};
+        bool is_large{};
     };
     struct held { ///< control, or what is left of it
         std::shared_ptr<control_state> state;
@@ -107,6 +111,7 @@ class clients {
 
     /// Sends a waiting message no more; an operation that waits for its outcome is aborted.
     void forget(const jaus::header& sent);
+    [[nodiscard]] node_errc refused(const jaus::header& head, node_errc why) const;
     /// Sends a message that must be acknowledged; its sequence number, or why not.
     result<std::uint16_t, node_errc> send_acknowledged(const jaus::header& head, bytes body);
     [[nodiscard]] stream_state state_of(const subscription_state& of) const;

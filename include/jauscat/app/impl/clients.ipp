@@ -6,6 +6,7 @@
 #include <jauscat/app/impl/node_state.hpp>
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/net/now.hpp>
+#include <jauscat/text/message_name.hpp>
 
 #include <boost/asio/post.hpp>
 
@@ -39,6 +40,15 @@ inline error_code error_of(jaus::delivered what) {
     return node_errc::no_answer;
 }
 
+/// The error code has no destination: that is in the log.
+inline node_errc clients::refused(const jaus::header& head, node_errc why) const {
+    if (why == node_errc::unroutable)
+        component_.node().log(net::to_jausip(self_) + ": " + text::message_name(head.command_code) + " to " +
+                              net::to_jausip(head.destination) +
+                              " is not sent: no <system> of the configuration has this address in its jausip");
+    return why;
+}
+
 inline result<std::uint16_t, node_errc> clients::send_acknowledged(const jaus::header& head, bytes body) {
     if (!jaus::names_one_component(head.destination)) return node_errc::not_one_address;
     auto& net = component_.node().net();
@@ -47,13 +57,13 @@ inline result<std::uint16_t, node_errc> clients::send_acknowledged(const jaus::h
         auto large = head;
         large.ack_nak = jaus::ack_nak::request;
         const auto sent = net.send(large, body);
-        if (!sent) return error_of(sent.error().code);
+        if (!sent) return refused(head, error_of(sent.error().code));
         return std::uint16_t{};
     }
     std::vector<std::byte> message(jaus::header_size + body.size());
     const auto made = jaus::join(head, body, message);
     if (!made) return node_errc::not_encodable;
-    if (!component_.is_routable(head.destination)) return node_errc::unroutable;
+    if (!component_.is_routable(head.destination)) return refused(head, node_errc::unroutable);
     const auto sent = component_.send_acknowledged(*made);
     if (!sent)
         return sent.error().code == jaus::send_errc::no_capacity ? node_errc::queue_full : node_errc::not_encodable;
@@ -64,14 +74,18 @@ JAUSCAT_DECL void clients::send(jaus::header head, bytes body, const operation_p
     const auto number = send_acknowledged(head, body);
     if (!number) return done->complete(number.error());
     head.sequence_number = *number;
-    sent_.push_back({head, done});
+    sent_.push_back({head, done, body.size() > jaus::max_body_size});
 }
 
 JAUSCAT_DECL void clients::ask(const jaus::address& of, question_codes codes, std::vector<std::byte> body,
                                const ask_options& options, const operation_ptr<bytes>& done) {
     const auto now = net::now();
     const auto head = component_.head_of(codes.query, of);
-    question asked{.head = head, .report = codes.report, .done = done, .until = deadline{now, options.timeout}};
+    question asked{.head = head,
+                   .report = codes.report,
+                   .done = done,
+                   .until = deadline{now, options.timeout},
+                   .is_large = body.size() > jaus::max_body_size};
     if (options.acknowledged) {
         const auto number = send_acknowledged(head, body);
         if (!number) return done->complete(number.error(), {});
@@ -79,7 +93,7 @@ JAUSCAT_DECL void clients::ask(const jaus::address& of, question_codes codes, st
     } else {
         if (!jaus::names_one_component(head.destination)) return done->complete(node_errc::not_one_address, {});
         const auto sent = component_.node().net().send(head, body);
-        if (!sent) return done->complete(error_of(sent.error().code), {});
+        if (!sent) return done->complete(refused(head, error_of(sent.error().code)), {});
         asked.message = std::move(body);
         asked.repeated_at = saturating_add(now, retry_.interval);
         asked.made = 1;
@@ -87,10 +101,10 @@ JAUSCAT_DECL void clients::ask(const jaus::address& of, question_codes codes, st
     questions_.push_back(std::move(asked));
 }
 
-JAUSCAT_DECL void clients::on_delivered(const jaus::header& head, jaus::delivered what) {
+JAUSCAT_DECL void clients::on_delivered(const jaus::header& head, jaus::delivered what, bool is_large) {
     const auto is_it = [&](const auto& one) {
         return one.head.command_code == head.command_code && one.head.destination == head.destination &&
-               (head.data_flag != jaus::data_flag::only || one.head.sequence_number == head.sequence_number);
+               one.is_large == is_large && (is_large || one.head.sequence_number == head.sequence_number);
     };
     if (const auto found = std::ranges::find_if(sent_, is_it); found != sent_.end()) {
         found->done->complete(error_of(what));
@@ -219,7 +233,7 @@ JAUSCAT_DECL void clients::end_all(error_code why, time_point now, jaus::message
 JAUSCAT_DECL void clients::end_cancelled() {
     const auto is_cancelled = [](const auto& operation) { return operation != nullptr && operation->is_done(); };
     const auto forget = [&](const auto& one) {
-        if (!is_cancelled(one.done)) return false;
+        if (!is_cancelled(one.done) || one.is_large) return false; // the node sends it to its end, which comes
         component_.forget(one.head);
         return true;
     };
@@ -229,6 +243,25 @@ JAUSCAT_DECL void clients::end_cancelled() {
         if (is_cancelled(one->asked)) end(*one);
     for (const auto& one : held_)
         if (is_cancelled(one.state->asked)) release(*one.state);
+}
+
+JAUSCAT_DECL void clients::cancel() {
+    std::vector<operation_ptr<>> plain; // first, because what they have begun leaves the lists
+    std::vector<operation_ptr<bytes>> with_report;
+    for (const auto& one : sent_) plain.push_back(one.done);
+    for (const auto& one : questions_) with_report.push_back(one.done);
+    for (const auto& one : subscriptions_)
+        if (one->next) with_report.push_back(std::exchange(one->next, nullptr));
+    for (const auto& one : held_)
+        for (auto& lost : std::exchange(one.state->when_lost, {})) plain.push_back(std::move(lost));
+    for (const auto& one : std::vector{subscriptions_})
+        if (const auto asked = one->asked) asked->cancel();
+    std::vector<std::shared_ptr<control_state>> controls;
+    for (const auto& one : held_) controls.push_back(one.state);
+    for (const auto& one : controls)
+        if (const auto asked = one->asked) asked->cancel();
+    for (const auto& one : plain) one->cancel();
+    for (const auto& one : with_report) one->cancel();
 }
 
 // Reports as streams.
@@ -425,6 +458,11 @@ inline void enqueue_end(const std::weak_ptr<component_state>& component, boost::
     }
 }
 
+JAUSCAT_DECL void cancel(const std::shared_ptr<component_state>& of) {
+    post(of->context(), [of] {
+        if (of->is_running()) of->others().cancel();
+    });
+}
 JAUSCAT_DECL boost::asio::io_context& context_of(component_state& of) noexcept { return of.context(); }
 JAUSCAT_DECL boost::asio::io_context& context_of(const subscription_state& of) noexcept { return of.context; }
 JAUSCAT_DECL boost::asio::io_context& context_of(const control_state& of) noexcept { return of.context; }
@@ -472,7 +510,6 @@ JAUSCAT_DECL void begin_event(const std::shared_ptr<component_state>& from, cons
     });
 }
 JAUSCAT_DECL void begin_next(const std::shared_ptr<subscription_state>& of, const operation_ptr<bytes>& done) {
-    if (of == nullptr) return done->complete(boost::asio::error::operation_aborted, {});
     post(of->context, [of, done] {
         if (!of->reports.empty()) {
             const auto body = std::move(of->reports.front());
@@ -490,6 +527,8 @@ JAUSCAT_DECL void begin_next(const std::shared_ptr<subscription_state>& of, cons
 JAUSCAT_DECL void end(const std::shared_ptr<subscription_state>& of) noexcept {
     enqueue_end(of->component, of->context, [of](clients& all) {
         all.end(*of);
+        of->reports.clear();
+        of->news = {};
         if (of->next) std::exchange(of->next, nullptr)->complete(boost::asio::error::operation_aborted, {});
     });
 }
@@ -539,7 +578,7 @@ JAUSCAT_DECL void end(const std::shared_ptr<control_state>& of) noexcept {
 } // namespace app
 
 JAUSCAT_DECL bool control::is_held() const noexcept {
-    return state_ != nullptr && state_->state == jaus::control_state::held;
+    return state_ != nullptr && !is_released_ && state_->state == jaus::control_state::held;
 }
 JAUSCAT_DECL const jaus::address& control::of() const noexcept { return state_->of; }
 

@@ -41,6 +41,7 @@ JAUSCAT_DECL void component::reject_control() { state_->reject_control(); }
 JAUSCAT_DECL jaus::primary_status_code component::state() const noexcept { return state_->state(); }
 JAUSCAT_DECL std::optional<jaus::address> component::controller() const noexcept { return state_->controller(); }
 JAUSCAT_DECL const jaus::address& component::address() const noexcept { return state_->self(); }
+JAUSCAT_DECL void component::cancel() { app::cancel(state_); }
 JAUSCAT_DECL result<void, net::error> component::send(const jaus::address& to, std::uint16_t command_code,
                                                       app::bytes body) {
     return state_->node().net().send(state_->head_of(command_code, to), body);

@@ -63,8 +63,8 @@ class component_state {
     /// While it runs.
     [[nodiscard]] node_state& node() noexcept { return node_; }
     [[nodiscard]] clients& others() noexcept;
-    /// A message of this component was acknowledged, or not; also a large data set.
-    void on_delivered(const jaus::header& head, jaus::delivered what);
+    /// A large data set of this component was acknowledged, or not.
+    void on_large_delivered(const jaus::header& head, jaus::delivered what);
     [[nodiscard]] boost::asio::io_context& context() noexcept { return context_; }
     /// The header of a message to another component.
     [[nodiscard]] jaus::header head_of(std::uint16_t command_code, const jaus::address& to) const noexcept {
@@ -108,8 +108,10 @@ class component_state {
     void note_state(jaus::primary_status_code from, jaus::primary_status_code to);
     void note_controller(const std::optional<jaus::controller>& by);
     void tell_stopped() noexcept;
-    /// Does what a function of the application has asked for while the state machines were at work.
+    /// Does what functions of the application have asked for while the state machines were at work.
     void settle();
+    /// After a turn: settles, and sends the events of what has changed.
+    void end_turn(time_point now, jaus::message_sink out);
     /// Calls a function of the application. An exception is logged, and the component fails.
     /// `command_code`: of the message that follows `what` in the log; 0: none.
     bool guard(std::string_view what, std::uint16_t command_code, jaus::hook<void()> call) noexcept;
@@ -128,7 +130,9 @@ class component_state {
     bool is_running_{};
     bool is_ready_{}; ///< says the application
     bool has_failed_{};
+    bool has_changed_{}; ///< data of reports, perhaps: a function of the application was called
     bool closed_{};
+    bool is_stopping_{};
     bool in_turn_{};
     std::optional<jaus::address> controller_{};
 };

@@ -48,7 +48,7 @@ struct component_state::core {
             of.note_controller(by);
         }
         void delivered(const jaus::awaited_message& message, jaus::delivered what) const {
-            of.core_->others.on_delivered(message.header, what);
+            of.core_->others.on_delivered(message.header, what, false);
         }
     };
 
@@ -141,8 +141,8 @@ JAUSCAT_DECL component_state::component_state(node_state& node, const jaus::addr
 JAUSCAT_DECL component_state::~component_state() = default;
 
 JAUSCAT_DECL clients& component_state::others() noexcept { return core_->others; }
-JAUSCAT_DECL void component_state::on_delivered(const jaus::header& head, jaus::delivered what) {
-    core_->others.on_delivered(head, what);
+JAUSCAT_DECL void component_state::on_large_delivered(const jaus::header& head, jaus::delivered what) {
+    core_->others.on_delivered(head, what, true);
 }
 JAUSCAT_DECL result<std::uint16_t, jaus::send_error> component_state::send_acknowledged(bytes message) {
     return core_->machine.send(message, net::now(), node_.net().out());
@@ -183,11 +183,13 @@ JAUSCAT_DECL bool component_state::guard(std::string_view what, std::uint16_t co
             why = "of an unknown type";
         }
         has_failed_ = true;
+        is_ready_ = false;
         node_.log(net::to_jausip(self_) + ": exception of " + std::string{what} +
                   (command_code != 0 ? text::message_name(command_code) : "") + ": " + why +
                   "; the component is stopped");
     } catch (...) { // of the application's log, and for want of memory
         has_failed_ = true;
+        is_ready_ = false;
     }
     return false;
 }
@@ -199,18 +201,22 @@ JAUSCAT_DECL bool component_state::guard(std::string_view what, const std::funct
 auto component_state::in_turn(auto&& work) {
     struct turn {
         bool& flag;
-        explicit turn(bool& f) : flag{f} { flag = true; }
-        ~turn() { flag = false; }
+        bool before;
+        explicit turn(bool& f) : flag{f}, before{std::exchange(f, true)} {}
+        ~turn() { flag = before; }
     } const now{in_turn_};
     return work();
 }
 
 JAUSCAT_DECL void component_state::tell_stopped() noexcept {
-    if (on_stopped && !closed_) guard("when_stopped", on_stopped);
+    if (!on_stopped || closed_) return;
+    has_changed_ = true;
+    guard("when_stopped", on_stopped);
 }
 
 JAUSCAT_DECL void component_state::note_state(jaus::primary_status_code from, jaus::primary_status_code to) {
     using enum jaus::primary_status_code;
+    has_changed_ = true;
     if (to != jaus::primary_status_code::ready) tell_stopped();
     if (to == jaus::primary_status_code::ready && on_ready) guard("when_ready", on_ready);
     if (!on_emergency || (from != emergency && to != emergency)) return;
@@ -222,6 +228,7 @@ JAUSCAT_DECL void component_state::note_controller(const std::optional<jaus::con
     const auto now_it_is = by ? std::optional{by->address} : std::nullopt;
     const auto before = std::exchange(controller_, now_it_is);
     if (before == now_it_is) return;
+    has_changed_ = true;
     if (before) tell_stopped();
     if (!on_controlled) return;
     const auto call = [&] { on_controlled(now_it_is); };
@@ -229,22 +236,40 @@ JAUSCAT_DECL void component_state::note_controller(const std::optional<jaus::con
 }
 
 JAUSCAT_DECL void component_state::settle() {
-    if (!is_running_) return;
     using enum jaus::primary_status_code;
-    auto& machine = core_->machine;
-    if (std::exchange(has_failed_, false)) {
-        is_ready_ = false;
-        static_cast<void>(machine.change(jaus::state_event::failed));
-        if (machine.state() != failure) tell_stopped(); // an emergency is not left
+    // What is called here may fail in its turn. It is told once, and Ready is tried once, so that this ends.
+    in_turn([&] {
+        bool was_told = false;
+        bool was_ready = false;
+        while (is_running_ && !is_stopping_) {
+            auto& machine = core_->machine;
+            if (std::exchange(has_failed_, false)) {
+                static_cast<void>(machine.change(jaus::state_event::failed));
+                if (machine.state() != failure && !std::exchange(was_told, true)) tell_stopped(); // emergencies stay
+            } else if (is_ready_ && machine.state() == failure && !was_ready) {
+                if (!machine.change(jaus::state_event::reset)) return;
+            } else if (is_ready_ && machine.state() == initialize && !std::exchange(was_ready, true)) {
+                if (!machine.change(jaus::state_event::initialized)) return;
+            } else {
+                return;
+            }
+        }
+    });
+}
+
+JAUSCAT_DECL void component_state::end_turn(time_point now, jaus::message_sink out) {
+    settle();
+    // Twice: where the function of a report fails, when_stopped is called and may change another one.
+    for (int i = 0; i != 2 && is_running_ && std::exchange(has_changed_, false); ++i) {
+        in_turn([&] { send_changes(now, out); });
+        settle();
     }
-    if (is_ready_ && machine.state() == failure) static_cast<void>(machine.change(jaus::state_event::reset));
-    if (is_ready_ && machine.state() == initialize) static_cast<void>(machine.change(jaus::state_event::initialized));
 }
 
 JAUSCAT_DECL void component_state::ready() {
     is_ready_ = true;
     if (in_turn_ || !is_running_) return;
-    settle();
+    end_turn(net::now(), node_.net().out());
     node_.wake();
 }
 
@@ -253,13 +278,15 @@ JAUSCAT_DECL void component_state::fail(std::string_view why) {
     has_failed_ = true;
     is_ready_ = false;
     if (!is_running_ || in_turn_) return;
-    settle();
+    end_turn(net::now(), node_.net().out());
     node_.wake();
 }
 
 JAUSCAT_DECL void component_state::reject_control() {
     if (!is_running_) return;
-    core_->machine.reject_control(node_.net().out());
+    const bool is_turn = in_turn_;
+    in_turn([&] { core_->machine.reject_control(node_.net().out()); });
+    if (!is_turn) end_turn(net::now(), node_.net().out());
     node_.wake();
 }
 
@@ -273,16 +300,17 @@ JAUSCAT_DECL void component_state::start(const jaus::identity& identity, bool be
 }
 
 JAUSCAT_DECL void component_state::stop() noexcept {
-    if (!is_running_) return;
-    tell_stopped();
+    if (!is_running_ || std::exchange(is_stopping_, true)) return;
+    in_turn([&] { tell_stopped(); });
     core_->others.end_all(boost::asio::error::operation_aborted, net::now(), node_.net().out());
     is_running_ = false;
+    is_stopping_ = false;
 }
 
 JAUSCAT_DECL void component_state::close() noexcept {
     stop();
     closed_ = true;
-    if (in_turn_) return; // by one of its functions
+    if (in_turn_) return; // by one of its functions, which stays until it has returned
     on_stopped = on_ready = nullptr;
     on_emergency = nullptr;
     on_controlled = nullptr;
@@ -344,9 +372,9 @@ JAUSCAT_DECL void component_state::send_changes(time_point now, jaus::message_si
 }
 
 JAUSCAT_DECL void component_state::changed() {
+    has_changed_ = true;
     if (!is_running_ || in_turn_) return; // within a turn it is looked for at its end
-    send_changes(net::now(), node_.net().out());
-    settle();
+    end_turn(net::now(), node_.net().out());
     node_.wake();
 }
 
@@ -364,27 +392,23 @@ component_state::on_message(const jaus::header& head, bytes body, time_point now
             return what == jaus::message_outcome::unhandled ? unhandled(h, b) : what;
         });
     });
-    if (!is_running_) return outcome; // stopped by a handler
-    settle();
-    send_changes(now, out);
+    has_changed_ = true; // a handler was called, or there is a new event
+    end_turn(now, out);
     return outcome;
 }
 
 JAUSCAT_DECL void component_state::on_time(time_point now, jaus::message_sink out) {
     if (!is_running_) return;
-    bool called = false;
     in_turn([&] {
         for (auto& one : periodic) {
             if (one.due > now || !is_running_) continue;
             one.due += ((now - one.due) / one.period + 1) * one.period;
             guard("a periodic function", one.call);
-            called = true;
+            has_changed_ = true;
         }
         if (is_running_) core_->machine.on_time(now, out);
     });
-    if (!is_running_) return;
-    settle();
-    if (called) send_changes(now, out);
+    end_turn(now, out);
 }
 
 JAUSCAT_DECL std::optional<time_point> component_state::next_event() const {
@@ -397,8 +421,8 @@ JAUSCAT_DECL std::optional<time_point> component_state::next_event() const {
 
 JAUSCAT_DECL void component_state::on_lost(const jaus::address& who) {
     if (!is_running_) return;
-    core_->machine.on_lost(who);
-    settle();
+    in_turn([&] { core_->machine.on_lost(who); });
+    end_turn(net::now(), node_.net().out());
 }
 
 JAUSCAT_DECL void component_state::list_messages(listing takes, listing sends) const {

@@ -6,8 +6,10 @@
 #include <jauscat/net/node/jaus_node.hpp>
 
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace jauscat {
@@ -45,6 +47,9 @@ class node_state {
     node_options options_;
     std::unique_ptr<boost::asio::io_context> own_context_{};
     boost::asio::io_context* context_;
+    std::optional<boost::asio::signal_set> signals_{}; ///< while `run` works
+    bool is_stopping_{};
+    bool is_stopped_{};
     std::vector<std::shared_ptr<component_state>> components_{};
     std::vector<node_part> parts_{};
     net::jaus_node net_;

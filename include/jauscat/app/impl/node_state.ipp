@@ -7,8 +7,6 @@
 #include <jauscat/net/detail/endpoint_text.hpp>
 #include <jauscat/net/node/detail/configured_identity.hpp>
 
-#include <boost/asio/signal_set.hpp>
-
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
@@ -49,7 +47,7 @@ JAUSCAT_DECL net::jaus_node_options node_state::net_options() {
     };
     net.large_data_done = [this](const jaus::header& head, jaus::delivered what) {
         for (const auto& one : components_)
-            if (one->is_running() && one->self() == head.source) one->on_delivered(head, what);
+            if (one->is_running() && one->self() == head.source) one->on_large_delivered(head, what);
     };
     net.on_received = options_.on_received;
     net.on_sent = options_.on_sent;
@@ -75,7 +73,9 @@ JAUSCAT_DECL void node_state::add(const std::shared_ptr<component_state>& compon
         throw std::logic_error{"the component " + net::to_jausip(self) + " is made after the start of its node"};
     if (!jaus::names_one_component(self))
         throw std::invalid_argument{"component ID and instance are 1 to 254, not " + net::to_jausip(self)};
-    if (has(self)) throw std::invalid_argument{"the node has a component " + net::to_jausip(self) + " already"};
+    if (has(self))
+        throw std::invalid_argument{"the node has a component " + net::to_jausip(self) +
+                                    " already; give this one another ID or instance"};
     components_.push_back(component);
 }
 JAUSCAT_DECL bool node_state::has(const jaus::address& self) const {
@@ -86,6 +86,7 @@ JAUSCAT_DECL bool node_state::has(const jaus::address& self) const {
 }
 
 JAUSCAT_DECL void node_state::start() {
+    is_stopped_ = false;
     const auto now = net::now();
     const auto& config = net_.config();
     const bool has_manager = net::detail::covers(config.me().jausip, net_.manager());
@@ -106,9 +107,17 @@ JAUSCAT_DECL void node_state::start() {
 }
 
 JAUSCAT_DECL void node_state::stop() {
+    if (is_stopping_) return; // by a function that it calls
+    struct stopping {
+        bool& flag;
+        explicit stopping(bool& f) : flag{f} { flag = true; }
+        ~stopping() { flag = false; }
+    } const now{is_stopping_};
+    is_stopped_ = true;
     for (const auto& one : components_) one->stop();
     for (const auto& one : parts_) one.stop();
     net_.stop();
+    signals_.reset(); // they keep a context at work
     if (own_context_) own_context_->stop();
 }
 
@@ -122,13 +131,16 @@ JAUSCAT_DECL std::string node_state::names() const {
 
 JAUSCAT_DECL int node_state::run() {
     try {
-        boost::asio::signal_set signals{*context_, SIGINT, SIGTERM};
-        signals.async_wait([this](boost::system::error_code error, int) {
+        if (own_context_) own_context_->restart();
+        signals_.emplace(*context_, SIGINT, SIGTERM).async_wait([this](boost::system::error_code error, int) {
             if (!error) stop();
         });
         start();
         log("JAUS on " + net::detail::text(net_.config().me().endpoint()) + names() + " (Ctrl-C ends)");
-        context_->run();
+        if (own_context_)
+            context_->run();
+        else
+            while (!is_stopped_ && context_->run_one() != 0) {} // the program may have other work in it
         stop();
         return EXIT_SUCCESS;
     } catch (const std::exception& e) {

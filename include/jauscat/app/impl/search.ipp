@@ -54,6 +54,7 @@ class search : public std::enable_shared_from_this<search> {
         auto answered = [mine = shared_from_this(), use](error_code error, bytes answer) {
             wire::errc why{};
             const owned<jaus::report_of<Query>> report{answer, why};
+            if (error == boost::asio::error::operation_aborted) mine->done_->complete(error, {});
             if (!error && why == wire::errc::ok) use(*mine, *report);
             mine->close();
         };
