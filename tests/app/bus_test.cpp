@@ -8,6 +8,11 @@
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/asio/use_future.hpp>
+#include <boost/version.hpp>
+#if BOOST_VERSION >= 107700
+#    include <boost/asio/bind_cancellation_slot.hpp>
+#    include <boost/asio/cancellation_signal.hpp>
+#endif
 
 #include <chrono>
 #include <optional>
@@ -525,6 +530,32 @@ TEST_CASE("a bus in a thread of its own") {
     SECTION("cancels") { b.bus->cancel(); }
     REQUIRE(support::until(b.context, [&] { return errors.size() == 5; }));
 }
+
+#if BOOST_VERSION >= 107700
+
+TEST_CASE("an operation of a bus is cancelled through its cancellation slot, and the others go on") {
+    bench b{three(), {.thread = GENERATE(false, true)}};
+    REQUIRE_FALSE(b.start());
+    const auto drive = b.bus->slave(first);
+    asio::cancellation_signal signal;
+    std::optional<error_code> cancelled, other;
+    b.ring.is_silent = true;
+    const auto token = asio::bind_cancellation_slot(signal.slot(), [&](error_code why, auto&&...) { cancelled = why; });
+    SECTION("a read") { drive.async_read<std::uint32_t>(0x2000, 0, token); }
+    SECTION("a write") { drive.async_write(0x2000, 0, std::uint32_t{1}, token); }
+    SECTION("a change of state") { drive.async_change(ethercat::al_state::safe_op, token); }
+    SECTION("a list of objects") { drive.async_list_objects(ethercat::object_list_type::all, token); }
+    SECTION("a start") { b.bus->async_start(token); }
+    drive.async_read<std::uint32_t>(0x2000, 0, [&](error_code why, std::uint32_t) { other = why; });
+    signal.emit(asio::cancellation_type::all);
+    REQUIRE(support::until(b.context, [&] { return cancelled.has_value(); }));
+    CHECK(*cancelled == asio::error::operation_aborted);
+    b.ring.is_silent = false;
+    REQUIRE(support::until(b.context, [&] { return other.has_value(); }));
+    CHECK(*other != asio::error::operation_aborted);
+}
+
+#endif
 
 TEST_CASE("a bus may be stopped by its own report of a fault") {
     const bool has_thread = GENERATE(false, true);

@@ -160,6 +160,30 @@ TEST_CASE("a cancelled wait for the loss of control leaves control as it is") {
     CHECK(control.is_held());
 }
 
+TEST_CASE("a search for components is cancelled") {
+    operator_of_a_late_robot test;
+    test.unit.async_find({.timeout = std::chrono::hours{1}}, test.token());
+    test.cancel_and_start_robot();
+}
+
+TEST_CASE("a command under control and a release are cancelled, and control is over") {
+    operator_of_a_late_robot test;
+    test.robots.start();
+    bool held = false;
+    jauscat::control control;
+    test.unit.async_control(test.arm, {}, [&](error_code error, jauscat::control is) {
+        held = !error;
+        control = std::move(is);
+    });
+    REQUIRE(test.until([&] { return held; }));
+    test.robots.stop();
+    SECTION("the command") { control.async_send(jaus::set_wrench_effort{}, test.token()); }
+    SECTION("the release") { control.async_release(test.token()); }
+    test.cancel_and_start_robot();
+    CHECK(test.commands == 0);
+    CHECK_FALSE(test.driver.controller());
+}
+
 TEST_CASE("a cancellation after the end of an operation, of its node and of its context does nothing") {
     auto signal = std::make_unique<asio::cancellation_signal>();
     {

@@ -4,13 +4,16 @@
 #include <boost/asio/steady_timer.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -292,6 +295,138 @@ TEST_CASE("what when_stopped changes is reported at once") {
     SECTION("when it rejects its controller") { test.driver.reject_control(); }
     SECTION("when it fails") { test.driver.fail("no power"); }
     CHECK(next() == Approx(0).margin(0.01));
+}
+
+/// Values that the subscriber of an event gets while the effort becomes 5, 11, 12, 9, 20 %. Each of `expected` is
+/// waited for before the next change, because changes within a millisecond are reported once.
+std::vector<int> values_of(const jaus::create_event& trigger, const std::vector<int>& expected) {
+    jaus::report_wrench_effort effort{.propulsive_linear_effort_x = 0};
+    operator_and_robot test;
+    test.driver.reports([&] { return effort; });
+    test.driver.ready();
+    test.start();
+    jauscat::subscription<jaus::report_wrench_effort> events;
+    std::vector<int> values;
+    std::function<void()> next = [&] {
+        events.async_next([&](error_code why, const jaus::report_wrench_effort& is) {
+            if (why) return;
+            values.push_back(static_cast<int>(is.propulsive_linear_effort_x.value() + 0.5));
+            next();
+        });
+    };
+    std::optional<error_code> made;
+    test.unit.async_event<jaus::report_wrench_effort>(
+        test.arm, trigger, [&](error_code why, jauscat::subscription<jaus::report_wrench_effort> is) {
+            made = why;
+            events = std::move(is);
+            next();
+        });
+    REQUIRE(test.until([&] { return made.has_value(); }));
+    CHECK(*made == error_code{});
+    const auto ask = [&] { // its answer comes behind the events before it
+        std::optional<error_code> answered;
+        test.unit.async_ask(test.arm, jaus::query_wrench_effort{},
+                            [&](error_code why, const jaus::report_wrench_effort&) { answered = why; });
+        REQUIRE(test.until([&] { return answered.has_value(); }));
+    };
+    for (const int x : {5, 11, 12, 9, 20}) {
+        effort.propulsive_linear_effort_x = x;
+        test.driver.changed();
+        ask();
+        if (std::ranges::count(expected, x) != 0)
+            REQUIRE(test.until([&] { return !values.empty() && values.back() == x; }));
+    }
+    if (trigger.event_type == jaus::event_type::periodic)
+        REQUIRE(test.until([&] { return values.size() >= 3 && values[values.size() - 3] == 20; }));
+    return values;
+}
+
+TEST_CASE("events of each kind, also with limits, are served by a function of the report") {
+    using jaus::event_boundary;
+    using jaus::event_type;
+    const jaus::typed_value ten{.data_type = jaus::data_type::long_float, .value = 10.0};
+    const std::uint8_t field = 2;
+    const auto check = [](const jaus::create_event& trigger, const std::vector<int>& expected) {
+        CHECK(values_of(trigger, expected) == expected);
+    };
+    check({.event_type = event_type::every_change}, {5, 11, 12, 9, 20});
+    check({.event_type = event_type::first_change}, {5});
+    check({.event_type = event_type::one_time_on_demand}, {0});
+    check({.event_type = event_type::every_change,
+           .event_boundary = event_boundary::strictly_greater_than,
+           .limit_data_field = field,
+           .lower_limit = ten},
+          {11, 12, 20});
+    check({.event_type = event_type::first_change_in_and_out_of_boundary,
+           .event_boundary = event_boundary::strictly_greater_than,
+           .limit_data_field = field,
+           .lower_limit = ten},
+          {11, 9, 20});
+    const std::vector all{5, 11, 12, 9, 20};
+    const auto periodic = values_of({.event_type = event_type::periodic, .requested_periodic_rate = 200.0}, all);
+    CHECK(std::ranges::count(periodic, 20) >= 3);
+    const auto once =
+        values_of({.event_type = event_type::periodic_without_repeat, .requested_periodic_rate = 200.0}, all);
+    for (const int x : all) CHECK(std::ranges::count(once, x) == 1);
+}
+
+TEST_CASE("a report may need its query, or be missing for now") {
+    operator_and_robot test;
+    std::optional<jaus::report_wrench_effort> effort;
+    test.driver.reports([&] { return effort; });
+    test.driver.reports([](const jaus::query_travel_speed&) { return jaus::report_travel_speed{.desired_speed = 5}; });
+    test.driver.ready();
+    test.start();
+    std::optional<error_code> error;
+    const auto ask = [&](const auto& query) {
+        error.reset();
+        test.unit.async_ask(test.arm, query, [&](error_code why, const auto&) { error = why; });
+        REQUIRE(test.until([&] { return error.has_value(); }));
+        return *error;
+    };
+    CHECK(ask(jaus::query_travel_speed{}) == error_code{});
+    CHECK(ask(jaus::query_wrench_effort{0x0001}) == jauscat::node_errc::refused);
+    effort.emplace();
+    CHECK(ask(jaus::query_wrench_effort{0x0001}) == error_code{});
+}
+
+TEST_CASE("the options of a component say when it obeys, and whom") {
+    two_nodes test;
+    jauscat::node mine{test.context, test.options("operator")}, robots{test.context, test.options("robot")};
+    constexpr auto move = jaus::command_code_of<jaus::set_wrench_effort>;
+    const auto harmless_code = std::uint16_t{0xD001}, private_code = std::uint16_t{0xD002};
+    jauscat::component unit{mine, {.id = 32}}, other{mine, {.id = 35}};
+    jauscat::component driver{robots, {.id = 33, .obeys_only_when_ready = false}},
+        strict{robots, {.id = 34, .harmless = {harmless_code}}};
+    std::vector<std::uint16_t> taken;
+    const auto note = [&](const jaus::header& head, std::span<const std::byte>) {
+        taken.push_back(head.command_code);
+        return jaus::message_outcome::handled;
+    };
+    driver.on_others(note);
+    strict.on_others(note);
+    robots.start();
+    mine.start();
+    const auto send = [&](jauscat::component& from, const jaus::address& to, std::uint16_t code) {
+        outcome of;
+        const std::array<std::byte, 2> nothing{};
+        from.async_send(to, code, nothing, of());
+        REQUIRE(test.until([&] { return of.error.has_value(); }));
+        return *of.error;
+    };
+    CHECK(driver.state() == state::initialize);
+    CHECK(send(unit, driver.address(), move) == error_code{});
+    CHECK(send(unit, strict.address(), move) == jauscat::node_errc::refused);
+    CHECK(send(unit, strict.address(), private_code) == jauscat::node_errc::refused);
+    CHECK(send(unit, strict.address(), harmless_code) == error_code{});
+    strict.ready();
+    jauscat::control control;
+    unit.async_control(strict.address(), {}, [&](error_code, jauscat::control made) { control = std::move(made); });
+    REQUIRE(test.until([&] { return control.is_held(); }));
+    CHECK(send(other, strict.address(), private_code) == jauscat::node_errc::refused);
+    CHECK(send(other, strict.address(), harmless_code) == error_code{});
+    CHECK(send(unit, strict.address(), private_code) == error_code{});
+    CHECK(taken == std::vector<std::uint16_t>{move, harmless_code, harmless_code, private_code});
 }
 
 TEST_CASE("each instance of a component takes its own messages") {
