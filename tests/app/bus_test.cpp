@@ -540,12 +540,14 @@ TEST_CASE("an operation of a bus is cancelled through its cancellation slot, and
     asio::cancellation_signal signal;
     std::optional<error_code> cancelled, other;
     b.ring.is_silent = true;
-    const auto token = asio::bind_cancellation_slot(signal.slot(), [&](error_code why, auto&&...) { cancelled = why; });
-    SECTION("a read") { drive.async_read<std::uint32_t>(0x2000, 0, token); }
-    SECTION("a write") { drive.async_write(0x2000, 0, std::uint32_t{1}, token); }
-    SECTION("a change of state") { drive.async_change(ethercat::al_state::safe_op, token); }
-    SECTION("a list of objects") { drive.async_list_objects(ethercat::object_list_type::all, token); }
-    SECTION("a start") { b.bus->async_start(token); }
+    const auto token = [&] {
+        return asio::bind_cancellation_slot(signal.slot(), [&](error_code why, auto&&...) { cancelled = why; });
+    };
+    SECTION("a read") { drive.async_read<std::uint32_t>(0x2000, 0, token()); }
+    SECTION("a write") { drive.async_write(0x2000, 0, std::uint32_t{1}, token()); }
+    SECTION("a change of state") { drive.async_change(ethercat::al_state::safe_op, token()); }
+    SECTION("a list of objects") { drive.async_list_objects(ethercat::object_list_type::all, token()); }
+    SECTION("a start") { b.bus->async_start(token()); }
     drive.async_read<std::uint32_t>(0x2000, 0, [&](error_code why, std::uint32_t) { other = why; });
     signal.emit(asio::cancellation_type::all);
     REQUIRE(support::until(b.context, [&] { return cancelled.has_value(); }));

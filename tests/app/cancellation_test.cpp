@@ -163,7 +163,9 @@ TEST_CASE("a cancelled wait for the loss of control leaves control as it is") {
 TEST_CASE("a search for components is cancelled") {
     operator_of_a_late_robot test;
     test.unit.async_find({.timeout = std::chrono::hours{1}}, test.token());
-    test.cancel_and_start_robot();
+    test.signal.emit(asio::cancellation_type::all); // before the own node manager answers
+    REQUIRE(test.until([&] { return test.error.has_value(); }));
+    CHECK(*test.error == asio::error::operation_aborted);
 }
 
 TEST_CASE("a command under control and a release are cancelled, and control is over") {
