@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
@@ -310,7 +311,7 @@ std::vector<int> values_of(const jaus::create_event& trigger, const std::vector<
     std::function<void()> next = [&] {
         events.async_next([&](error_code why, const jaus::report_wrench_effort& is) {
             if (why) return;
-            values.push_back(static_cast<int>(is.propulsive_linear_effort_x.value() + 0.5));
+            values.push_back(static_cast<int>(std::lround(is.propulsive_linear_effort_x.value())));
             next();
         });
     };
