@@ -45,6 +45,16 @@ struct operator_of_a_late_robot : operator_and_robot {
         timer.async_wait([&](error_code) { over = true; });
         REQUIRE(until([&] { return over; }));
     }
+    jauscat::control take_control() {
+        bool held = false;
+        jauscat::control control;
+        unit.async_control(arm, {}, [&](error_code why, jauscat::control is) {
+            held = !why;
+            control = std::move(is);
+        });
+        REQUIRE(until([&] { return held; }));
+        return control;
+    }
     void cancel_and_start_robot() {
         bool begun = false;
         asio::post(context, [&] { begun = true; }); // behind the operation
@@ -74,13 +84,7 @@ TEST_CASE("control that is confirmed after the cancellation of its request is re
     CHECK(*test.error == asio::error::operation_aborted);
     CHECK(test.taken == 1);
 
-    bool held = false;
-    jauscat::control control;
-    test.unit.async_control(test.arm, {}, [&](error_code error, jauscat::control is) {
-        held = !error;
-        control = std::move(is);
-    });
-    REQUIRE(test.until([&] { return held; }));
+    auto control = test.take_control();
     test.wait(std::chrono::milliseconds{300}); // no repeat of the first release ends it
     CHECK(test.driver.controller() == test.unit.address());
     CHECK(test.taken == 2);
@@ -171,13 +175,7 @@ TEST_CASE("a search for components is cancelled") {
 TEST_CASE("a command under control and a release are cancelled, and control is over") {
     operator_of_a_late_robot test;
     test.robots.start();
-    bool held = false;
-    jauscat::control control;
-    test.unit.async_control(test.arm, {}, [&](error_code error, jauscat::control is) {
-        held = !error;
-        control = std::move(is);
-    });
-    REQUIRE(test.until([&] { return held; }));
+    auto control = test.take_control();
     test.robots.stop();
     SECTION("the command") { control.async_send(jaus::set_wrench_effort{}, test.token()); }
     SECTION("the release") { control.async_release(test.token()); }

@@ -58,7 +58,7 @@ struct bus_options {
     /// Gets a line when a slave is lost, returns or reports an emergency, and for each problem of the link. By default
     /// they are written to standard error.
     std::function<void(std::string_view line)> log{};
-    /// Gets the problems of the link besides the log.
+    /// Gets the problems of the link besides the log; called by the io_context, and may stop the bus.
     std::function<void(link_fault what, std::string_view line)> on_fault{};
     /// Gets all frames, for a trace; in the thread of the bus if it has one. Must not use the bus.
     std::function<void(const passing_frame& frame)> on_frame{};

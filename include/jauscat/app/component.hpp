@@ -185,8 +185,8 @@ class component {
             token, state_, options);
     }
 
-    /// Aborts all operations of this component, also those of its controls and subscriptions, which stay. From any
-    /// thread; for programs with a Boost before 1.77, which has no cancellation slots.
+    /// Aborts all operations of this component and of its controls and subscriptions, which stay. May be called on any
+    /// thread. Boost before 1.77 has no cancellation slots, which abort one operation.
     JAUSCAT_DECL void cancel();
 
   private:

@@ -5,8 +5,8 @@
 namespace jauscat {
 inline namespace JAUSCAT_WAY {
 
-/// Control of another component: kept by heartbeats and requests, released with this object. The functions are of
-/// objects that component::async_control has made.
+/// Control of another component: kept by heartbeats and requests, released with this object. Its functions need an
+/// object that component::async_control has made.
 class control {
   public:
     control() = default;

@@ -22,7 +22,7 @@ template <jaus::coded_message Report> class subscription {
     }
 
     /// The next report. Errors: silent (once each time the reports stop; they may continue), connection_refused by a
-    /// provider that has restarted, malformed_answer; operation_aborted after `end`. One operation at a time. Only of
+    /// provider that has restarted, malformed_answer; operation_aborted after `end`. One operation at a time. Needs
     /// an object that async_connect or async_event has made.
     template <class Token = default_token> auto async_next(Token&& token = Token{}) {
         return boost::asio::async_initiate<Token, void(app::error_code, received<Report>)>(
