@@ -179,5 +179,6 @@ int main(int argc, char** argv) {
         std::cerr << "card_packets: " << problem.what() << "\n";
         return 1;
     }
+    if (!std::cout.flush()) return std::cerr << "card_packets: standard output cannot be written\n", 1;
     return 0;
 }

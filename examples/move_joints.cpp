@@ -44,5 +44,7 @@ int main(int argc, char** argv) {
         node.stop();
         if (problem) std::rethrow_exception(problem); // run logs it, and returns 1
     });
-    return node.run();
+    const int code = node.run();
+    if (!std::cout.flush()) return std::cerr << "move_joints: standard output cannot be written\n", 1;
+    return code;
 }

@@ -32,6 +32,7 @@ int main(int argc, char** argv) try {
         if (problem) std::rethrow_exception(problem);
     });
     context.run();
+    if (!std::cout.flush()) return std::cerr << "objects: standard output cannot be written\n", 1;
 } catch (const std::exception& e) {
     return std::cerr << "objects: " << e.what() << '\n', 1;
 }

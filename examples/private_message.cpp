@@ -133,5 +133,6 @@ int main() {
         return failed("the slave has made another message of the object");
     const auto acknowledgement = std::span{buffer}.first(exchange.acknowledgement(buffer));
     std::cout << "answer: " << text::summary(jaus::split(acknowledgement).header) << "\n";
+    if (!std::cout.flush()) return std::cerr << "private_message: standard output cannot be written\n", 1;
     return 0;
 }

@@ -2,6 +2,7 @@
 // configuration, each in the form that its target reads.
 #include "jaus/vectors.hpp"
 #include "support/objects.hpp"
+#include "support/paths.hpp"
 #include "support/pcap.hpp"
 #include "support/simulated_link.hpp"
 #include <jauscat/ethercat/frame_view.hpp>
@@ -211,7 +212,7 @@ void write_configurations(const std::filesystem::path& root, const std::filesyst
         config.add(std::as_bytes(std::span{content}));
     };
     add(example);
-    for (const auto& file : std::filesystem::directory_iterator{JAUSCAT_TEST_DATA "/../net/config/good"})
+    for (const auto& file : std::filesystem::directory_iterator{support::source_file("tests/net/config/good")})
         add(file.path());
 }
 

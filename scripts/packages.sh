@@ -42,3 +42,9 @@ need_for_docs() { need doxygen graphviz plantuml python3; }
 need_for_firmware() { need gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm; }
 # clang with its sanitizers and libFuzzer, which Debian has in a package of its own.
 need_clang() { need clang && need "libclang-rt-$(clang++ -dumpversion | cut -d. -f1)-dev"; }
+
+# Where ccache is installed, whatever CMake configures compiles through it.
+if command -v ccache >/dev/null; then
+    CMAKE_CXX_COMPILER_LAUNCHER=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/cmake/cached_compiler
+    export CMAKE_CXX_COMPILER_LAUNCHER
+fi

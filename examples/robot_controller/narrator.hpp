@@ -9,6 +9,7 @@
 #include <jauscat/app/bus_options.hpp>
 #include <jauscat/app/node_options.hpp>
 #include <jauscat/bridge/component.hpp>
+#include <jauscat/ethercat/cia402/error_text.hpp>
 #include <jauscat/net/detail/endpoint_text.hpp>
 #include <jauscat/text/jaus.hpp>
 #include <jauscat/text/packet_status_text.hpp>
@@ -115,6 +116,8 @@ class narrator {
                 .stop_required = bound<&narrator::stop_required>(*this),
                 .stop_refused = bound<&narrator::stop_refused>(*this),
                 .settled = bound<&narrator::settled>(*this),
+                .faulted = bound<&narrator::faulted>(*this),
+                .fault_ended = bound<&narrator::fault_ended>(*this),
                 .translated = bound<&narrator::translated>(*this),
                 .asks_report = bound<&narrator::asks_report>(*this),
                 .into_image = bound<&narrator::into_image>(*this),
@@ -208,6 +211,17 @@ class narrator {
         say_(events::stop_confirmed, {{"address", name(unit)}}, name(unit) + ": the slave has confirmed");
     }
 
+    void faulted(const bridging::component& unit, const bridging::drive_fault& what) {
+        say_.bad(
+            events::drive_fault,
+            {{"address", name(unit)}, {"drive", what.slave}, {"error_code", what.code}, {"reason", fault_text(what)}},
+            name(unit) + ": fault of the drive " + std::to_string(what.slave) + ": error code " +
+                jauscat::text::hex_number(what.code, 4) + ", " + fault_text(what));
+    }
+    void fault_ended(const bridging::component& unit) {
+        say_(events::drive_fault_ended, {{"address", name(unit)}}, name(unit) + ": no drive has a fault any more");
+    }
+
     void translated(const bridging::slave_front&, std::span<const std::byte> packet) {
         say_(events::packet_translated, packet_members(packet), "translated to an SDO download packet",
              packet_text(packet));
@@ -285,6 +299,8 @@ class narrator {
         switch (why) {
         case bridging::stop_cause::state: return "state";
         case bridging::stop_cause::controller_lost: return "controller_lost";
+        case bridging::stop_cause::control_taken: return "control_taken";
+        case bridging::stop_cause::sender_lost: return "sender_lost";
         case bridging::stop_cause::slave_absent: return "slave_absent";
         case bridging::stop_cause::slave_returned: return "slave_returned";
         case bridging::stop_cause::not_accepted: return "not_accepted";
@@ -317,6 +333,9 @@ class narrator {
         return "unknown";
     }
 
+    static std::string fault_text(const bridging::drive_fault& what) {
+        return std::string{what.reason.empty() ? jauscat::cia402::describe_error_code(what.code) : what.reason};
+    }
     static std::string loss_text(bridging::loss what, bool cyclic) {
         switch (what) {
         case bridging::loss::no_answer: return "does not answer";
@@ -330,6 +349,8 @@ class narrator {
         switch (why) {
         case bridging::stop_cause::state: return jauscat::text::to_text(unit.state());
         case bridging::stop_cause::controller_lost: return "its controller is lost";
+        case bridging::stop_cause::control_taken: return "another component has control, and a command waited";
+        case bridging::stop_cause::sender_lost: return "the sender of its last command is lost";
         case bridging::stop_cause::slave_absent: return "the slave is away";
         case bridging::stop_cause::slave_returned: return "the slave is back";
         case bridging::stop_cause::not_accepted: return "the slave has not taken a command in time";

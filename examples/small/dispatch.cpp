@@ -56,5 +56,6 @@ int main() {
     jaus::header acknowledgement = short_one;
     acknowledgement.ack_nak = jaus::ack_nak::ack;
     const bool is_one = vehicle(acknowledgement, {}) == jaus::dispatched::acknowledgement;
+    if (!std::cout.flush()) return std::cerr << "dispatch: standard output cannot be written\n", 1;
     return is_one ? 0 : 1;
 }

@@ -66,5 +66,6 @@ int main() {
     sender.next([](std::span<const std::byte>) { std::cout << "packet 2 is lost\n"; });
     while (sender.next(receive)) {}
     const bool repeated = sender.repeat(2, receive);
+    if (!std::cout.flush()) return std::cerr << "large_data: standard output cannot be written\n", 1;
     return repeated && received == picture.size() ? 0 : 1;
 }

@@ -69,5 +69,6 @@ int main() {
     const bool good = data.is_complete() && std::to_integer<int>(inputs[0]) == 99;
     std::cout << "the last target: 100, the last actual value: " << std::to_integer<int>(inputs[0]) << '\n'
               << (data.is_complete() ? "every slave took part in the last cycle\n" : "the last cycle is incomplete\n");
+    if (!std::cout.flush()) return std::cerr << "process_data: standard output cannot be written\n", 1;
     return good ? 0 : 1;
 }

@@ -59,6 +59,7 @@ template <ethercat::link Link> int write_and_read(Link& link, const object& what
                  ethercat::upload{.station = station, .index = what.index, .subindex = what.subindex, .into = buffer});
     if (!read) return fail("upload from station address 1", read.error());
     std::cout << "upload from station address 1: ok\nthe slave has " << jauscat::text::hex(*read) << '\n';
+    if (!std::cout.flush()) return std::cerr << "sdo_download: standard output cannot be written\n", 1;
     return std::ranges::equal(*read, what.value) ? 0 : 1;
 }
 

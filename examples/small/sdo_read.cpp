@@ -59,6 +59,7 @@ template <ethercat::link Link> int read(Link& link, std::uint16_t index, std::ui
             .station = station, .index = index, .subindex = subindex, .into = buffer, .options = {.size = size}});
     if (data) {
         std::cout << jauscat::text::hex(*data) << '\n';
+        if (!std::cout.flush()) return std::cerr << "sdo_read: standard output cannot be written\n", 1;
         return 0;
     }
     fail("upload from station address 1", data.error());

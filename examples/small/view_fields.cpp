@@ -36,4 +36,5 @@ int main() {
 
     const wire::view<command> cut{message.subspan(header_size, 4)};
     std::cout << "without its last byte: " << describe(cut.error()) << '\n';
+    if (!std::cout.flush()) return std::cerr << "view_fields: standard output cannot be written\n", 1;
 }

@@ -78,6 +78,8 @@ inline constexpr event_kind slave_emergency{"slave_emergency"};
 inline constexpr event_kind bring_up_failed{"bring_up_failed"};
 inline constexpr event_kind no_process_data{"no_process_data"};
 inline constexpr event_kind no_keep_alive{"no_keep_alive"};
+inline constexpr event_kind drive_fault{"drive_fault"};
+inline constexpr event_kind drive_fault_ended{"drive_fault_ended"};
 inline constexpr event_kind stop_owed{"stop_owed"};
 inline constexpr event_kind stop_refused{"stop_refused"};
 inline constexpr event_kind stop_confirmed{"stop_confirmed"};

@@ -88,12 +88,12 @@ boost::program_options::variables_map parse(int argc, char** argv,
     const auto name = help.substr(0, title);
     if (values.count("help") != 0) {
         std::cout << bold(name) << help.substr(title) << "\n" << all;
-        std::exit(success);
+        std::exit(end_of_output(name.c_str(), success));
     }
     if (values.count("version") != 0) {
         std::cout << name << " (JausCat) " << JAUSCAT_VERSION_MAJOR << '.' << JAUSCAT_VERSION_MINOR << '.'
                   << JAUSCAT_VERSION_PATCH << "\n";
-        std::exit(success);
+        std::exit(end_of_output(name.c_str(), success));
     }
     return values;
 }
@@ -102,6 +102,13 @@ void say_error(const char* name, event_kind kind, const std::exception& error, c
     const auto& colour = colours(STDERR_FILENO);
     std::cerr << log_lines(kind, {},
                            colour.bad + (name + (": " + std::string{error.what()})) + colour.end + "\n" + more);
+}
+
+int end_of_output(const char* name, int code) {
+    const auto problem = output_problem();
+    if (problem.empty()) return code;
+    say_error(name, events::failed, std::runtime_error{problem});
+    return code == success ? failure : code;
 }
 
 } // namespace example

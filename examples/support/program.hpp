@@ -2,6 +2,7 @@
 #pragma once
 #include "support/colour.hpp"
 #include "support/log.hpp"
+#include "support/output.hpp"
 
 #include <boost/program_options.hpp>
 
@@ -39,14 +40,17 @@ parse(int argc, char** argv, const boost::program_options::options_description& 
 /// `more`: lines below, each with its end.
 void say_error(const char* name, event_kind kind, const std::exception& error, const std::string& more = {});
 
-/// Runs `program`, and prints on standard error why it ended early.
+/// Says on standard error if standard output could not be written, as an event, and returns 1 then, else `code`.
+int end_of_output(const char* name, int code);
+
+/// Runs `program`, and prints on standard error why it ended early, and if its output could not be written.
 int run(const char* name, auto&& program) {
     program_name() = name;
     std::setvbuf(stdout, nullptr, _IOLBF,
                  4096); // a line is seen, whole, when it is written: in a terminal and in a log
     try {
         stop_on_signals();
-        return program();
+        return end_of_output(name, program());
     } catch (const usage_error& error) {
         say_error(name, events::usage_error, error, "Try '" + std::string{name} + " --help'.\n");
         return usage;

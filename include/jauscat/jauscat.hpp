@@ -13,6 +13,7 @@
 #include <jauscat/bridge/packet_exchange.hpp>
 #include <jauscat/bridge/ring.hpp>
 #include <jauscat/ethercat/cia402/emulated_drive.hpp>
+#include <jauscat/ethercat/cia402/error_text.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/ethercat/hilscher/packet_job.hpp>

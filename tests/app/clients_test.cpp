@@ -1,10 +1,13 @@
 #include "two_nodes.hpp"
+#include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/jaus/large_data/large_data_sender.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
 #include <jauscat/schema/jaus/environment_sensor.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 
 #include <boost/asio/co_spawn.hpp>
+#include <boost/asio/ip/udp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -14,8 +17,10 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -325,6 +330,84 @@ struct pending_operations : driver_and_operator {
     }
 };
 
+/// The node manager 2.1.1.1 of a program that reports 254 nodes of 254 components, and answers no other question.
+class boastful_peer {
+  public:
+    boastful_peer(boost::asio::io_context& context, const std::array<std::uint16_t, 2>& ports)
+        : to_{boost::asio::ip::address_v4::loopback(), ports[0]},
+          socket_{context, {boost::asio::ip::address_v4::loopback(), ports[1]}},
+          timer_{context} {
+        put(*jaus::make_message({.destination = {1, 1, 1, 1}, .source = self}, jaus::report_heartbeat_pulse{}, in_));
+        receive();
+    }
+    unsigned asked{}; ///< questions of components
+
+  private:
+    static constexpr jaus::address self{1, 1, 1, 2};
+    void put(std::span<const std::byte> message) {
+        socket_.send_to(boost::asio::buffer(message.data(), message.size()), to_);
+    }
+    void receive() {
+        socket_.async_receive(boost::asio::buffer(in_), [this](error_code error, std::size_t size) {
+            if (error) return;
+            answer(jaus::split(std::span{in_}.first(size)).header);
+            receive();
+        });
+    }
+    void answer(const jaus::header& head) {
+        if (head.destination != self) ++asked;
+        if (head.command_code != jaus::command_code_of<jaus::query_configuration> || head.source.component != 32)
+            return;
+        std::vector<jaus::configured_component> components;
+        for (std::uint8_t i = 1; i != 255; ++i) components.push_back({i, 1});
+        std::vector<jaus::configured_node> nodes;
+        for (std::uint8_t i = 1; i != 255; ++i) nodes.push_back({.node_id = i, .component = components});
+        const auto written = jauscat::wire::encode(jaus::report_configuration{.node = nodes}, body_);
+        REQUIRE(written);
+        report_.emplace(jaus::header{.command_code = jaus::command_code_of<jaus::report_configuration>,
+                                     .destination = head.source,
+                                     .source = self},
+                        *written, packet_);
+        next();
+    }
+    void next() { // the socket of the node has no room for all
+        if (!report_->next([&](std::span<const std::byte> message) { put(message); })) return;
+        timer_.expires_after(std::chrono::milliseconds{1});
+        timer_.async_wait([this](error_code error) {
+            if (!error) next();
+        });
+    }
+
+    boost::asio::ip::udp::endpoint to_;
+    boost::asio::ip::udp::socket socket_;
+    boost::asio::steady_timer timer_;
+    std::array<std::byte, 5000> in_{};
+    std::array<std::byte, jaus::header_size + jaus::max_body_size> packet_{};
+    std::vector<std::byte> body_ = std::vector<std::byte>(200'000);
+    std::optional<jaus::large_data_sender> report_{};
+};
+
+TEST_CASE("a peer that reports very many components is asked for a few at a time") {
+    two_nodes test;
+    jauscat::node mine{test.context, test.options("operator")};
+    jauscat::component unit{mine, {.id = 32}};
+    mine.start();
+    unit.ready();
+    boastful_peer peer{test.context, test.ports};
+    bool is_there = false;
+    mine.when_appeared([&](const jaus::address& who) { is_there = is_there || who.subsystem == 2; });
+    REQUIRE(test.until([&] { return is_there; }));
+    std::optional<std::size_t> found;
+    unit.async_find({}, [&](error_code error, const std::vector<jauscat::found_component>& all) {
+        CHECK(!error);
+        found = all.size();
+    });
+    REQUIRE(test.until([&] { return found.has_value(); }));
+    CHECK(*found == 1); // the node manager of this one
+    CHECK(test.has_logged("2.1.1.1 reports 64516 components: only 1024 are asked"));
+    CHECK(peer.asked < 500); // two questions of 16 components, with their repeats; 129,032 in all
+}
+
 TEST_CASE("all operations end with operation_aborted") {
     pending_operations test;
     SECTION("when their component goes away") { test.other.reset(); }
@@ -428,6 +511,45 @@ TEST_CASE("handles that outlive component, node and context do no harm") {
     }
 }
 
+TEST_CASE("a component and handles that outlive their node, and its io_context, do no harm") {
+    two_nodes test;
+    jauscat::node robots{test.context, test.options("robot")};
+    jauscat::component driver{robots, {.id = 33}};
+    driver.reports([] { return jaus::report_wrench_effort{}; });
+    robots.start();
+    driver.ready();
+    auto mine = std::make_unique<jauscat::node>(test.options("operator")); // with an io_context of its own
+    auto unit = std::make_unique<jauscat::component>(*mine, jauscat::component_options{.id = 32});
+    mine->start();
+    unit->ready();
+    jauscat::control control;
+    jauscat::subscription<jaus::report_wrench_effort> stream;
+    bool has_stream = false;
+    unit->async_control(driver.address(), {}, [&](error_code, jauscat::control made) { control = std::move(made); });
+    unit->async_connect<jaus::report_wrench_effort>(driver.address(), {.rate = 100}, [&](error_code error, auto made) {
+        has_stream = !error;
+        stream = std::move(made);
+    });
+    REQUIRE(test.until([&] {
+        mine->context().poll();
+        return control.is_held() && has_stream;
+    }));
+    mine.reset();
+    CHECK_FALSE(control.is_held());
+    CHECK(unit->state() == jaus::primary_status_code::initialize);
+    unit->ready();
+    unit->changed();
+    unit->reject_control();
+    unit->fail("nobody hears it");
+    unit->cancel();
+    CHECK(unit->send(driver.address(), jaus::standby{}).error().code == jauscat::net::errc::not_running);
+    unit->async_send(driver.address(), jaus::standby{}, [](error_code) {});
+    stream.async_next([](error_code, const jaus::report_wrench_effort&) {});
+    stream.end();
+    control.release();
+    if (GENERATE(true, false)) unit.reset();
+}
+
 TEST_CASE("operations that never begin are destroyed with their context") {
     auto alive = std::make_shared<int>();
     {
@@ -436,6 +558,178 @@ TEST_CASE("operations that never begin are destroyed with their context") {
         test.unit.async_ask(test.arm, jaus::query_component_status{}, [alive](error_code, auto&&) {});
     }
     CHECK(alive.use_count() == 1);
+}
+
+TEST_CASE(
+    "commands that are awaited one after the other are all acknowledged, as many as the receiver has places for") {
+    driver_and_operator test;
+    test.run([&]() -> boost::asio::awaitable<void> {
+        for (int i = 0; i != 1500; ++i)
+            co_await test.unit.async_send(test.arm, jaus::set_wrench_effort{.propulsive_linear_effort_x = i % 100});
+    });
+    CHECK(test.effort.propulsive_linear_effort_x.has_value());
+}
+
+TEST_CASE("a receiver says which option its memory of commands has") {
+    two_nodes test;
+    jauscat::node mine{test.context, test.options("operator")}, robots{test.context, test.options("robot")};
+    jauscat::component unit{mine, {.id = 32}}, driver{robots, {.id = 33, .remembered = 8}};
+    driver.on([](const jaus::set_wrench_effort&) {});
+    robots.start();
+    mine.start();
+    driver.ready();
+    int acknowledged = 0;
+    for (int i = 0; i != 5; ++i)
+        unit.async_send(driver.address(), jaus::set_wrench_effort{.propulsive_linear_effort_x = i},
+                        [&](error_code error) { acknowledged += !error; });
+    REQUIRE(test.until(
+        [&] { return test.has_logged("no place left to remember what was acknowledged (option remembered)"); }));
+    CHECK(acknowledged <= 4);
+}
+
+/// The component 2.1.33.1, which answers questions as the test says.
+class answering_peer {
+  public:
+    answering_peer(boost::asio::io_context& context, const std::array<std::uint16_t, 2>& ports)
+        : to_{boost::asio::ip::address_v4::loopback(), ports[0]},
+          socket_{context, {boost::asio::ip::address_v4::loopback(), ports[1]}} {
+        receive();
+    }
+    static constexpr jaus::address self{1, 33, 1, 2};
+    std::function<void(const jaus::header& question)> on_question{};
+
+    void answer(jaus::header question, std::uint16_t number, double value) {
+        question.sequence_number = number;
+        std::array<std::byte, 100> memory{};
+        put(*jaus::make_message(jaus::answer_to(question, self),
+                                jaus::report_wrench_effort{.propulsive_linear_effort_x = value}, memory));
+    }
+
+  private:
+    void put(std::span<const std::byte> message) {
+        socket_.send_to(boost::asio::buffer(message.data(), message.size()), to_);
+    }
+    void receive() {
+        socket_.async_receive(boost::asio::buffer(in_), [this](error_code error, std::size_t size) {
+            if (error) return;
+            const auto head = jaus::split(std::span{in_}.first(size)).header;
+            if (head.command_code == jaus::command_code_of<jaus::query_wrench_effort>) {
+                if (head.ack_nak == jaus::ack_nak::request)
+                    static_cast<void>(jaus::acknowledge(head, self, jaus::ack_nak::ack,
+                                                        [this](std::span<const std::byte> message) { put(message); }));
+                if (std::exchange(last_, head.sequence_number) != head.sequence_number) on_question(head);
+            }
+            receive();
+        });
+    }
+
+    boost::asio::ip::udp::endpoint to_;
+    boost::asio::ip::udp::socket socket_;
+    std::array<std::byte, 5000> in_{};
+    std::optional<std::uint16_t> last_{};
+};
+
+/// Questions one after the other, and what came of them: a value, or -1.
+struct asker : two_nodes {
+    jauscat::node mine{context, options("operator")};
+    jauscat::component unit{mine, {.id = 32}};
+    answering_peer peer{context, ports};
+    std::vector<double> values{};
+    bool is_acknowledged{};
+
+    explicit asker(bool acknowledged) : is_acknowledged{acknowledged} {
+        mine.start();
+        unit.ready();
+    }
+    double ask() {
+        const auto before = values.size();
+        unit.async_ask(answering_peer::self, jaus::query_wrench_effort{.presence_vector = 1},
+                       {.timeout = std::chrono::milliseconds{100}, .acknowledged = is_acknowledged},
+                       [&](error_code error, const jaus::report_wrench_effort& report) {
+                           values.push_back(error ? -1 : report.propulsive_linear_effort_x.value_or(-1));
+                       });
+        REQUIRE(until([&] { return values.size() > before; }));
+        return values.back();
+    }
+};
+
+TEST_CASE("a late answer is not that of the next question") {
+    asker test{GENERATE(false, true)};
+    std::vector<jaus::header> asked;
+    test.peer.on_question = [&](const jaus::header& question) {
+        asked.push_back(question);
+        if (asked.size() == 1) return; // its answer is late
+        test.peer.answer(question, asked.front().sequence_number, 10);
+        test.peer.answer(question, question.sequence_number, 20);
+        test.peer.answer(question, question.sequence_number, 20); // a copy
+    };
+    CHECK(test.ask() == -1);
+    for (int i = 0; i != 5; ++i) CHECK(test.ask() == Approx(20).margin(0.1));
+}
+
+TEST_CASE("answers of a component that numbers them otherwise belong to the first question") {
+    asker test{GENERATE(false, true)};
+    const bool restarts = GENERATE(false, true); // as a program that has numbered them right
+    std::uint16_t own = GENERATE(std::uint16_t{0}, std::uint16_t{1000});
+    int asked = 0;
+    test.peer.on_question = [&](const jaus::header& question) {
+        if (restarts && ++asked < 3) return test.peer.answer(question, question.sequence_number, 30);
+        test.peer.answer(question, own, 30);
+        if (own != 0) ++own;
+    };
+    int without = 0;
+    for (int i = 0; i != 10; ++i) without += test.ask() < 0;
+    CHECK(without <= 3);
+    CHECK(test.values.back() == Approx(30).margin(0.1));
+}
+
+TEST_CASE("large commands of one code keep their order, and each has its own outcome") {
+    operator_and_robot test;
+    std::string arrived;
+    const auto second = GENERATE('A', 'C'); // 'A': the receiver would take it as a repeat of the first for 2 s
+    test.driver.on([&](const jaus::report_image& image) {
+        arrived += static_cast<char>(image.image_data[0]);
+        return arrived.back() == 'B' ? jaus::message_outcome::refused : jaus::message_outcome::handled;
+    });
+    test.driver.ready();
+    test.start();
+    std::string outcomes;
+    const auto send = [&](char which, std::size_t size) {
+        const std::vector<std::byte> pixels(size, static_cast<std::byte>(which));
+        test.unit.async_send(test.arm, jaus::report_image{.image_data = pixels}, [&outcomes, which](error_code error) {
+            outcomes += which;
+            outcomes += error == jauscat::node_errc::refused ? '-' : error ? '?' : '+';
+        });
+    };
+    send('A', 9000);
+    send(second, 9000);
+    send('B', 9000);
+    send('D', 100);
+    REQUIRE(test.until([&] { return outcomes.size() == 8; }));
+    std::erase(arrived, 'D'); // small ones do not wait for large ones
+    CHECK(arrived == std::string{'A', second, 'B'});
+    CHECK(outcomes.find("D+") != std::string::npos);
+    outcomes.erase(outcomes.find("D+"), 2);
+    CHECK(outcomes == std::string{'A', '+', second, '+', 'B', '-'});
+}
+
+TEST_CASE("a large message to a system that nobody knows is unroutable at once") {
+    operator_and_robot test;
+    test.driver.ready();
+    test.start();
+    const std::vector<std::byte> pixels(9000);
+    auto nobody = test.arm;
+    nobody.subsystem = 77;
+    std::optional<error_code> found;
+    std::size_t lines = 0;
+    test.unit.async_send(nobody, jaus::report_image{.image_data = pixels}, [&](error_code error) {
+        found = error;
+        lines = test.log.size();
+    });
+    REQUIRE(test.until([&] { return found.has_value(); }));
+    CHECK(*found == jauscat::node_errc::unroutable);
+    CHECK(lines == 1);
+    CHECK(test.has_logged("Report Image to 77.1.33.1 is not sent"));
 }
 
 TEST_CASE("each error of an operation is told apart") {

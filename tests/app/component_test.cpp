@@ -1,6 +1,7 @@
 #include "two_nodes.hpp"
 #include <jauscat/schema/jaus/platform.hpp>
 
+#include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 
 #include <algorithm>
@@ -85,6 +86,28 @@ TEST_CASE("a component is stopped by every state but Ready, and obeys again when
     CHECK(test.send(jaus::reset{}) == error_code{});
     CHECK(test.stopped == 2);
     CHECK(test.driver.state() == state::ready);
+}
+
+TEST_CASE("a component is stopped when a sender that moves it without control is lost, not while that lives") {
+    primitive_driver test;
+    const jaus::set_wrench_effort command{.propulsive_linear_effort_x = 50};
+    CHECK(test.send(command) == error_code{});
+    boost::asio::steady_timer pause{test.context, std::chrono::milliseconds{1200}};
+    bool is_over = false;
+    pause.async_wait([&](error_code) { is_over = true; });
+    REQUIRE(test.until([&] { return is_over; })); // it sends nothing but heartbeats
+    CHECK(test.stopped == 0);
+    CHECK(test.effort != jaus::report_wrench_effort{});
+    test.mine.stop();
+    REQUIRE(test.until([&] { return test.stopped == 1; }));
+    CHECK(test.effort == jaus::report_wrench_effort{});
+    CHECK(test.driver.state() == state::ready);
+    CHECK(test.has_logged("1.1.32.1, the sender of its last motion command, is lost"));
+    test.mine.start();
+    test.unit.ready();
+    CHECK(test.send(command) == error_code{});
+    test.mine.stop();
+    REQUIRE(test.until([&] { return test.stopped == 2; }));
 }
 
 TEST_CASE("the end of the node stops its components") {
@@ -398,7 +421,8 @@ TEST_CASE("the options of a component say when it obeys, and whom") {
     const auto harmless_code = std::uint16_t{0xD001}, private_code = std::uint16_t{0xD002};
     jauscat::component unit{mine, {.id = 32}}, other{mine, {.id = 35}};
     jauscat::component driver{robots, {.id = 33, .obeys_only_when_ready = false}},
-        strict{robots, {.id = 34, .harmless = {harmless_code}}};
+        strict{robots, {.id = 34, .harmless = {harmless_code}}},
+        controlled{robots, {.id = 36, .without_control = jaus::motion_without_control::refused}};
     std::vector<std::uint16_t> taken;
     const auto note = [&](const jaus::header& head, std::span<const std::byte>) {
         taken.push_back(head.command_code);
@@ -406,6 +430,7 @@ TEST_CASE("the options of a component say when it obeys, and whom") {
     };
     driver.on_others(note);
     strict.on_others(note);
+    controlled.on_others(note);
     robots.start();
     mine.start();
     const auto send = [&](jauscat::component& from, const jaus::address& to, std::uint16_t code) {
@@ -428,6 +453,12 @@ TEST_CASE("the options of a component say when it obeys, and whom") {
     CHECK(send(other, strict.address(), harmless_code) == error_code{});
     CHECK(send(unit, strict.address(), private_code) == error_code{});
     CHECK(taken == std::vector<std::uint16_t>{move, harmless_code, harmless_code, private_code});
+    controlled.ready();
+    CHECK(send(unit, controlled.address(), move) == jauscat::node_errc::refused);
+    jauscat::control second;
+    unit.async_control(controlled.address(), {}, [&](error_code, jauscat::control made) { second = std::move(made); });
+    REQUIRE(test.until([&] { return second.is_held(); }));
+    CHECK(send(unit, controlled.address(), move) == error_code{});
 }
 
 TEST_CASE("each instance of a component takes its own messages") {
@@ -488,6 +519,28 @@ TEST_CASE("periodic functions are called while the node runs, and not after its 
     CHECK(calls == at_the_end);
 }
 
+TEST_CASE("a periodic function of the longest period is called once") {
+    operator_and_robot test;
+    int calls = 0, others = 0;
+    test.driver.every(jauscat::duration::max(), [&] { ++calls; });
+    test.driver.every(std::chrono::milliseconds{1}, [&] { ++others; });
+    test.start();
+    REQUIRE(test.until([&] { return others == 20; }));
+    CHECK(calls == 1);
+}
+
+TEST_CASE("a timeout below 0 is over at once") {
+    operator_and_robot test;
+    test.mine.start();
+    test.unit.ready();
+    for (const auto timeout : {jauscat::duration{-1}, jauscat::duration::min()}) {
+        outcome of;
+        test.unit.async_ask(test.arm, jaus::query_wrench_effort{}, {.timeout = timeout, .acknowledged = false}, of());
+        REQUIRE(test.until([&] { return of.error.has_value(); }));
+        CHECK(*of.error == jauscat::node_errc::no_answer);
+    }
+}
+
 TEST_CASE("components cannot have the same ID, a wrong one, or come too late") {
     operator_and_robot test;
     CHECK_THROWS_AS((jauscat::component{test.robots, {.id = 33}}), std::invalid_argument);
@@ -498,6 +551,7 @@ TEST_CASE("components cannot have the same ID, a wrong one, or come too late") {
     CHECK_NOTHROW((jauscat::component{test.robots, {.id = 33, .instance = 2}}));
     test.start();
     CHECK_THROWS_AS((jauscat::component{test.robots, {.id = 34}}), std::logic_error);
+    CHECK_THROWS_AS(test.driver.every(std::chrono::seconds{1}, [] {}), std::logic_error);
     CHECK_THROWS_AS(test.driver.on([](const jaus::set_wrench_effort&) {}), std::logic_error);
 }
 
@@ -556,6 +610,123 @@ TEST_CASE("a node with an unusable configuration or port says what is wrong") {
     jauscat::node first{test.context, test.options("robot")}, second{test.context, test.options("robot")};
     first.start();
     CHECK_THROWS_WITH(second.start(), Catch::Contains(std::to_string(test.ports[1])));
+}
+
+TEST_CASE("callbacks may replace themselves while they are called") {
+    const std::array<long, 8> big{1, 2, 3, 4, 5, 6, 7, 8}; // of a function that must outlive its call
+    long first = 0, second = 0;                            // used until the end of the component
+    operator_and_robot test;
+    test.driver.when_stopped([&, big] {
+        test.driver.when_stopped([&] { ++second; });
+        first += big[7];
+    });
+    test.driver.when_ready([&, big] {
+        test.driver.when_ready([&] { ++second; });
+        first += big[7];
+    });
+    test.driver.when_emergency([&, big](bool) {
+        test.driver.when_emergency([&](bool) { ++second; });
+        first += big[7];
+    });
+    test.driver.when_controlled([&, big](const std::optional<jaus::address>&) {
+        test.driver.when_controlled([&](const std::optional<jaus::address>&) { ++second; });
+        first += big[7];
+    });
+    test.driver.on_others([&, big](const jaus::header&, auto) {
+        test.driver.on_others([&](const jaus::header&, auto) { return jaus::message_outcome::refused; });
+        first += big[7];
+        return jaus::message_outcome::handled;
+    });
+    test.start();
+    test.driver.ready();
+    const auto send = [&](const auto& message) {
+        outcome of;
+        test.unit.async_send(test.arm, message, of());
+        REQUIRE(test.until([&] { return of.error.has_value(); }));
+        return *of.error;
+    };
+    CHECK(send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 1}) == error_code{});
+    CHECK(send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 2}) == jauscat::node_errc::refused);
+    CHECK(send(jaus::request_component_control{10}) == error_code{});
+    CHECK(send(jaus::release_component_control{}) == error_code{});
+    CHECK(send(jaus::set_emergency{{jaus::set_emergency_code::transition_to_emergency}}) == error_code{});
+    CHECK(send(jaus::clear_emergency{{jaus::clear_emergency_code::clear_emergency}}) == error_code{});
+    CHECK(first == 5 * 8);
+    CHECK(second >= 3);
+}
+
+TEST_CASE("a second start of a node is refused, and leaves it as it is") {
+    primitive_driver test;
+    CHECK_THROWS_WITH(test.robots.start(), "the node is running");
+    CHECK(test.driver.state() == state::ready);
+    CHECK(test.stopped == 0);
+    CHECK(test.send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50}) == error_code{});
+    CHECK(test.effort.propulsive_linear_effort_x == Approx(50).margin(0.01));
+}
+
+TEST_CASE("a node is stopped by a function that it calls, and started again after that") {
+    const auto by = GENERATE(std::string_view{"handler"}, "when_stopped", "when_ready", "periodic");
+    CAPTURE(by);
+    int restarts = 0, efforts = 0; // these are used until the end of the component
+    std::string refusal;
+    std::function<void(std::string_view)> restart;
+    operator_and_robot test;
+    restart = [&](std::string_view from) {
+        if (from != by || restarts != 0) return;
+        ++restarts;
+        test.robots.stop();
+        try {
+            test.robots.start();
+        } catch (const std::logic_error& e) {
+            refusal = e.what();
+        }
+        boost::asio::post(test.context, [&] {
+            test.robots.start();
+            ++restarts;
+        });
+    };
+    const std::array<long, 8> big{1, 2, 3, 4, 5, 6, 7, 8}; // of a function that must outlive its call
+    test.driver.on([&, big](const jaus::set_wrench_effort&) {
+        restart("handler");
+        efforts += static_cast<int>(big[0]);
+    });
+    test.driver.when_stopped([&, big] {
+        restart("when_stopped");
+        efforts += static_cast<int>(big[0]) - 1;
+    });
+    test.driver.when_ready([&] { restart("when_ready"); });
+    test.driver.every(std::chrono::milliseconds{5}, [&] { restart("periodic"); });
+    test.start();
+    test.driver.ready();
+    if (by == "when_stopped") test.driver.fail("test");
+    if (by == "handler")
+        test.unit.async_send(test.arm, jaus::set_wrench_effort{.propulsive_linear_effort_x = 1}, [](error_code) {});
+    REQUIRE(test.until([&] { return restarts == 2; }));
+    CHECK(refusal == "a node is not started by a function that it calls: post the start");
+    test.driver.ready();
+    efforts = 0;
+    outcome of;
+    REQUIRE(test.until([&] {
+        if (efforts == 0 && (!of.error || *of.error)) {
+            of.error.reset();
+            test.unit.async_send(test.arm, jaus::set_wrench_effort{.propulsive_linear_effort_x = 2}, of());
+        }
+        return efforts != 0;
+    }));
+}
+
+TEST_CASE("a node runs in a context that has run out of work before") {
+    two_nodes test;
+    test.context.run();
+    REQUIRE(test.context.stopped());
+    jauscat::node node{test.context, test.options("robot")};
+    jauscat::component driver{node, {.id = 33}};
+    int calls = 0;
+    driver.every(std::chrono::milliseconds{1}, [&] {
+        if (++calls == 3) node.stop();
+    });
+    CHECK(node.run() == 0);
+    CHECK(calls == 3);
 }
 
 } // namespace

@@ -96,6 +96,23 @@ TEST_CASE("a command as bytes is sent under control, and is not sent when that i
     CHECK(test.effort == jaus::report_wrench_effort{});
 }
 
+TEST_CASE("a command whose acknowledgement is awaited ends with control_lost when control is rejected or released") {
+    driver_of_bytes test;
+    REQUIRE(test.take_control(test.unit, test.control) == error_code{});
+    std::optional<error_code> sent, lost;
+    test.control.async_lost([&](error_code what) { lost = what; });
+    SECTION("rejected") {
+        test.control.async_send(set_effort, half, [&](error_code what) { sent = what; });
+        boost::asio::post(test.context, [&] { test.driver.reject_control(); }); // before the command arrives
+    }
+    SECTION("released") {
+        test.control.async_send(set_effort, half, [&](error_code what) { sent = what; });
+        test.control.release();
+    }
+    REQUIRE(test.until([&] { return sent.has_value() && lost.has_value(); }));
+    CHECK(*sent == node_errc::control_lost);
+}
+
 TEST_CASE("a release of control completes when the component has acknowledged it") {
     driver_of_bytes test;
     REQUIRE(test.take_control(test.unit, test.control) == error_code{});

@@ -16,6 +16,10 @@ TEST_CASE("a sum of times ends at the last instant") {
     STATIC_REQUIRE(saturating_add(time_point::max(), 0ns) == time_point::max());
     STATIC_REQUIRE(saturating_add(5ms, 3ms) == 8ms);
     STATIC_REQUIRE(saturating_add(5ms, duration::max()) == duration::max());
+    STATIC_REQUIRE(saturating_add(time_point{5ms}, -8ms) == time_point{-3ms});
+    STATIC_REQUIRE(saturating_add(time_point{-1ns}, duration::min()) == time_point::min());
+    STATIC_REQUIRE(saturating_add(time_point::min(), -1ns) == time_point::min());
+    STATIC_REQUIRE(saturating_add(-1ns, duration::min()) == duration::min());
 }
 
 TEST_CASE("a deadline is reached at its instant") {
@@ -31,6 +35,11 @@ TEST_CASE("a deadline that is not set, or beyond the last instant, is never reac
     STATIC_REQUIRE(!deadline{}.is_reached(time_point::max() - 1ns));
     STATIC_REQUIRE(deadline{time_point{1h}, duration::max()} == deadline{});
     STATIC_REQUIRE(deadline{time_point{1h}} < deadline{});
+}
+
+TEST_CASE("a deadline before its start is reached") {
+    STATIC_REQUIRE(deadline{time_point{1h}, -1ns}.is_reached(time_point{1h}));
+    STATIC_REQUIRE(deadline{time_point{1h}, duration::min()}.is_reached(time_point{1h}));
 }
 
 TEST_CASE("a retry policy counts all attempts and also waits after the last one") {

@@ -340,6 +340,24 @@ TEST_CASE("the end of the program stops a cyclic slave") {
     CHECK(r.motor().effort == 0);
 }
 
+TEST_CASE("loss of a sender without control stops the slave in cycles") {
+    rig r{1, true};
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    for (int i = 0; i != 10; ++i) {
+        r.run(100ms);
+        r.tell(jaus::report_heartbeat_pulse{}, 0, ack_nak::none);
+    }
+    CHECK(r.motor().effort != 0);
+    r.run_until([&] { return r.motor().effort == 0; }, r.core_options.control.timeout + 30ms);
+    r.run_until([&] { return r.unit().stops().settled(); });
+    CHECK(r.watcher.stop_causes.back() == bridging::stop_cause::sender_lost);
+    // Of commands without acknowledgement, too.
+    r.drive(50, 0, ack_nak::none);
+    r.run_until([&] { return r.motor().effort != 0; });
+    r.run_until([&] { return r.motor().effort == 0; }, r.core_options.control.timeout + 30ms);
+}
+
 TEST_CASE("a restarted bridge does not reassign the image area of a slave that still runs") {
     rig before{2, true};
     before.actuators[0].hangs = true; // so that the other one comes first in the process image

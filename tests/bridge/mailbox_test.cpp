@@ -265,6 +265,48 @@ TEST_CASE("loss of the controller stops the slave, release of control does not")
     r.run_until([&] { return r.motor().effort == 0; }, 100ms);
 }
 
+TEST_CASE("loss of a sender without control stops the slave") {
+    rig r;
+    r.run_until_ready();
+    const auto pulse = [&](const jaus::address& of) { r.tell(jaus::report_heartbeat_pulse{}, 0, ack_nak::none, of); };
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    for (int i = 0; i != 20; ++i) {
+        r.run(200ms);
+        pulse(rig::operator_unit);
+    }
+    CHECK(!r.received<jaus::query_heartbeat_pulse>().empty());
+    CHECK(r.motor().effort != 0);
+    // Two senders: the last one counts.
+    const auto command = jaus::set_wrench_effort{.propulsive_linear_effort_x = 20};
+    r.run_until(
+        [&, number = r.tell(command, 0, ack_nak::request, rig::stranger)] { return r.is_acknowledged(number); });
+    for (int i = 0; i != 10; ++i) {
+        r.run(100ms);
+        pulse(rig::stranger);
+    }
+    CHECK(r.motor().effort != 0);
+    const auto waited = r.run_until([&] { return r.motor().effort == 0; }, r.core_options.control.timeout + 20ms);
+    CHECK(waited > r.core_options.control.timeout - 20ms);
+    r.run_until([&] { return r.unit().stops().settled(); });
+    CHECK(r.unit().state() == jaus::primary_status_code::ready);
+    CHECK(r.watcher.stop_causes.back() == bridging::stop_cause::sender_lost);
+    // Right after a controller was lost by silence.
+    r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
+    r.run_until([&] { return !r.unit().control().controller() && r.unit().stops().settled(); });
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.run_until([&] { return r.motor().effort == 0; }, r.core_options.control.timeout + 20ms);
+}
+
+TEST_CASE("what a controller leaves in force when it releases control is stopped when it is lost") {
+    rig r;
+    r.run_until_ready();
+    r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.tell(jaus::release_component_control{}, 0, ack_nak::none);
+    CHECK(r.motor().effort != 0);
+    r.run_until([&] { return r.motor().effort == 0; }, r.core_options.control.timeout + 20ms);
+}
+
 TEST_CASE("a command that arrives while the slave refuses zeros is not executed before they are confirmed") {
     rig r;
     r.run_until_ready();

@@ -25,6 +25,7 @@ struct notes {
     std::vector<bridging::drive_fault> faults{};
     std::optional<bridging::loss> last_loss{};
     std::vector<bridging::refusal> refusals{};
+    std::vector<bridging::stop_cause> stop_causes{};
     std::vector<std::uint16_t> emergencies{};
     std::vector<ethercat::clock_agreement> agreements{};
 
@@ -41,6 +42,9 @@ struct notes {
         agreements.push_back(how);
     }
     void settled(const bridging::component&) { ++settled_debts; }
+    void stop_required(const bridging::component&, bridging::stop_order, bridging::stop_cause why) {
+        stop_causes.push_back(why);
+    }
     void stop_refused(const bridging::component&, bridging::stop_order, const bridging::refusal_reason&, unsigned) {
         ++stops_refused;
     }
@@ -55,6 +59,7 @@ struct notes {
                 .slave_lost = jaus::bound<&notes::slave_lost>(*this),
                 .slave_emergency = jaus::bound<&notes::slave_emergency>(*this),
                 .clocks_agree = jaus::bound<&notes::clocks_agree>(*this),
+                .stop_required = jaus::bound<&notes::stop_required>(*this),
                 .stop_refused = jaus::bound<&notes::stop_refused>(*this),
                 .settled = jaus::bound<&notes::settled>(*this),
                 .faulted = jaus::bound<&notes::faulted>(*this),

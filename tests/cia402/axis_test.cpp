@@ -2,6 +2,8 @@
 #include "cia402/plain_drive.hpp"
 #include "support/catch.hpp"
 
+#include <cstdlib>
+#include <utility>
 #include <vector>
 
 using namespace jauscat;
@@ -227,6 +229,73 @@ TEST_CASE("quick stop goes out in the same cycle") {
     CHECK(r.mine.targets().velocity == 0); // the old target is gone
 }
 
+TEST_CASE("a ramp that would take longer than its time is a quick stop at once, and any other one is not") {
+    const auto [velocity, word] = GENERATE(table<int, int>({{500, 0x0F}, {510, 0x02}}));
+    auto options = slow; // 50 ms from 500
+    options.ramp_time = 50ms;
+    rig r{options};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    REQUIRE(r.mine.run_at(velocity));
+    r.follow(60);
+    CHECK(r.drive.feedback.velocity == velocity);
+    r.mine.disable();
+    r.cycle();
+    CHECK(r.mine.targets().controlword == word);
+}
+
+TEST_CASE("a ramp that the drive does not follow in its time becomes a quick stop") {
+    auto options = slow;
+    options.ramp_time = 50ms;
+    rig r{options};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    REQUIRE(r.mine.run_at(300));
+    r.follow(60);
+    r.mine.disable();
+    r.cycle(45); // goes on at 300
+    CHECK(r.mine.targets().controlword == 0x0F);
+    r.cycle(6);
+    CHECK(r.mine.targets().controlword == 0x02);
+    CHECK(r.mine.error().code == axis_errc::ok);
+}
+
+TEST_CASE("an axis that is enabled while an earlier command is on the way to the drive does not fail") {
+    const int delay = GENERATE(0, 1, 2); // cycles
+    rig r;
+    std::vector<axis_targets> on_the_way;
+    const auto cycle = [&](int count) {
+        for (int i = 0; i != count; ++i) {
+            r.now += 1ms;
+            on_the_way.push_back(r.mine.on_cycle(r.drive.feedback, r.now));
+            if (static_cast<int>(on_the_way.size()) <= delay) continue;
+            r.drive.take(on_the_way.front());
+            on_the_way.erase(on_the_way.begin());
+        }
+    };
+    r.mine.set_mode(mode::cyclic_synchronous_velocity);
+    for (int off = 1; off != 12; ++off) {
+        REQUIRE(r.mine.enable());
+        cycle(20);
+        REQUIRE(r.mine.state() == axis_state::enabled);
+        r.mine.disable();
+        cycle(off);
+    }
+}
+
+TEST_CASE("a drive that leaves operation enabled again and again fails the axis in time") {
+    rig r;
+    r.mine.set_mode(mode::cyclic_synchronous_velocity);
+    REQUIRE(r.mine.enable());
+    bool was_enabled = false;
+    for (int i = 0; i != 8010 && r.mine.error().code == axis_errc::ok; ++i) {
+        r.cycle();
+        if (!std::exchange(was_enabled, r.drive.state == state::operation_enabled)) continue;
+        r.drive.state = state::switch_on_disabled; // it was enabled for one cycle
+        r.drive.show();
+    }
+    CHECK(r.mine.error().code == axis_errc::step_timeout);
+    CHECK(r.now < time_point{8100ms});
+}
+
 TEST_CASE("a drive that does not obey the quick stop fails the axis") {
     rig r{slow};
     REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
@@ -421,4 +490,221 @@ TEST_CASE("a target of another mode is refused") {
     CHECK(r.mine.move_to(1).error() == axis_errc::wrong_mode);
     CHECK(r.mine.push_with(1).error() == axis_errc::wrong_mode);
     CHECK(r.mine.home().error() == axis_errc::wrong_mode);
+}
+
+TEST_CASE("set-points keep to real time where the bus runs faster than the axis") {
+    axis_options options = slow;
+    options.cycle = 10ms;
+    rig r{options}; // is called each millisecond
+    REQUIRE(r.enable(mode::cyclic_synchronous_position));
+    const auto modes = {mode::cyclic_synchronous_position, mode::cyclic_synchronous_velocity};
+    for (const auto each : modes) {
+        INFO(static_cast<int>(each));
+        r.mine.set_mode(each);
+        r.follow(20);
+        REQUIRE(r.mine.state() == axis_state::enabled);
+        if (each == mode::cyclic_synchronous_position)
+            REQUIRE(r.mine.move_to(1'000'000));
+        else
+            REQUIRE(r.mine.run_at(1000));
+        const auto from = r.mine.targets();
+        r.follow(50); // half of the acceleration
+        CHECK(r.mine.targets().velocity - from.velocity <= 600);
+        CHECK(r.mine.targets().velocity - from.velocity >= 400);
+        r.follow(1000);
+        const auto then = r.mine.targets();
+        r.follow(1000);
+        if (each == mode::cyclic_synchronous_position)
+            CHECK(std::abs(r.mine.targets().position - then.position - 1000) <= 10);
+        r.mine.halt(true);
+        r.follow(200);
+        r.mine.halt(false);
+    }
+}
+
+TEST_CASE("a shorter period of the bus brings no set-point forward") {
+    axis_options options = slow;
+    options.cycle = 10ms;
+    rig r{options};
+    const auto cycle = [&](duration period) {
+        r.now += period;
+        r.drive.take(r.mine.on_cycle(r.drive.feedback, r.now));
+        r.drive.feedback.position = r.mine.targets().position;
+        r.drive.feedback.velocity = r.mine.targets().velocity;
+    };
+    r.mine.set_mode(mode::cyclic_synchronous_position);
+    REQUIRE(r.mine.enable());
+    for (int i = 0; i != 8; ++i) cycle(10ms);
+    REQUIRE(r.mine.move_to(1'000'000));
+    for (int i = 0; i != 50; ++i) cycle(10ms);
+    const auto from = r.mine.targets().position; // 1000/s: 10 in each cycle
+    r.mine.change_period(1ms);
+    for (int i = 1; i != 30; ++i) {
+        cycle(1ms);
+        // What is sent a millisecond from now; before, 10 ms.
+        CHECK(r.mine.targets().position - from <= std::max(0, i - 9) + 2);
+    }
+    r.mine.change_period(10ms);
+    for (int i = 0; i != 5; ++i) {
+        const auto last = r.mine.targets().position;
+        cycle(10ms);
+        CHECK(r.mine.targets().position - last <= 10);
+    }
+}
+
+TEST_CASE("a call between two cycles makes no step") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_position));
+    REQUIRE(r.mine.move_to(10'000));
+    r.follow(200);
+    const auto before = r.mine.targets();
+    r.mine.disable();
+    CHECK(r.mine.on_cycle(r.drive.feedback, r.now).position == before.position);
+    CHECK(r.mine.on_cycle(r.drive.feedback, r.now + 100us).position == before.position);
+    for (int i = 1; i != 3; ++i) static_cast<void>(r.mine.on_cycle(r.drive.feedback, r.now + i * 1ms));
+    CHECK(r.mine.targets().position > before.position);
+    CHECK(r.mine.targets().position <= before.position + 2);
+}
+
+TEST_CASE("without a velocity an axis stands still if its positions say so") {
+    rig r{slow};
+    r.drive.feedback.has_velocity = false;
+    r.cycle(10);
+    CHECK(!r.mine.is_at_standstill()); // not for long enough
+    r.cycle(20);
+    CHECK(r.mine.is_at_standstill());
+    for (int i = 0; i != 100; ++i) {
+        r.drive.feedback.position += 1; // 1000/s
+        r.cycle();
+        CHECK((i < 2 || !r.mine.is_at_standstill()));
+    }
+    for (int i = 0; i != 100; ++i) {
+        if (i % 10 == 0) r.drive.feedback.position += 1; // 100/s
+        r.cycle();
+        CHECK(!r.mine.is_at_standstill());
+    }
+    r.cycle(40);
+    CHECK(r.mine.is_at_standstill());
+    r.drive.feedback.is_current = false; // the last position of a drive that is silent
+    r.cycle();
+    CHECK(!r.mine.is_at_standstill());
+    r.cycle(100);
+    CHECK(!r.mine.is_at_standstill());
+    r.drive.feedback.is_current = true;
+    r.cycle(40);
+    CHECK(r.mine.is_at_standstill());
+    r.mine.on_lost();
+    CHECK(!r.mine.is_at_standstill());
+    r.drive.feedback.has_position = false;
+    r.cycle(100);
+    CHECK(!r.mine.is_at_standstill()); // neither is known
+}
+
+TEST_CASE("a drive without a velocity is not switched off while it turns") {
+    rig r{slow};
+    r.drive.feedback.has_velocity = false;
+    REQUIRE(r.enable(mode::cyclic_synchronous_position));
+    REQUIRE(r.mine.move_to(10'000));
+    r.follow(200);
+    r.mine.disable();
+    for (int i = 0; i != 300; ++i) { // it overruns the ramp
+        r.drive.feedback.position += 1;
+        r.cycle();
+        CHECK(r.drive.state == state::operation_enabled);
+    }
+    r.cycle(40);
+    CHECK(r.drive.state != state::operation_enabled);
+}
+
+TEST_CASE("a call between two cycles does not take a drive without a velocity as standing") {
+    rig r{slow};
+    r.drive.feedback.has_velocity = false;
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    for (int i = 0; i != 100; ++i) {
+        r.drive.feedback.position += 1; // 1000/s
+        r.cycle();
+    }
+    r.mine.set_mode(mode::cyclic_synchronous_position);
+    CHECK(r.mine.on_cycle(r.drive.feedback, r.now + 100us).velocity == 1000);
+}
+
+TEST_CASE("the error stands until the drive has left its fault") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    r.drive.fail(0x2310);
+    r.cycle();
+    r.mine.reset();
+    CHECK(r.mine.error().code == axis_errc::drive_fault);
+    CHECK(r.mine.enable().error() == axis_errc::has_failed);
+    r.drive.feedback.statusword = 0x0001; // of no state: not known to have left it
+    r.mine.on_cycle(r.drive.feedback, r.now += 1ms);
+    CHECK(r.mine.error().code == axis_errc::drive_fault);
+    r.drive.show();
+    for (int i = 0; i != 500 && r.drive.state == state::fault; ++i) {
+        CHECK(r.mine.error().code == axis_errc::drive_fault);
+        r.cycle();
+    }
+    REQUIRE(r.drive.state == state::switch_on_disabled);
+    r.cycle(2);
+    CHECK(r.mine.error().code == axis_errc::ok);
+    CHECK(r.mine.state() == axis_state::disabled);
+}
+
+TEST_CASE("a reset ends where the drive's reaction to its fault does not") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    r.drive.stuck = true;
+    r.drive.state = state::fault_reaction_active;
+    r.drive.show();
+    r.cycle();
+    r.mine.reset();
+    r.cycle(1900);
+    CHECK(r.mine.state() == axis_state::resetting);
+    r.cycle(200);
+    CHECK(r.mine.state() == axis_state::failed);
+    CHECK(r.mine.error().code == axis_errc::reset_refused);
+}
+
+TEST_CASE("a drive that shows no state gets the quick stop, then no voltage") {
+    for (const bool on : {false, true}) {
+        INFO(on);
+        rig r{slow};
+        REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+        if (!on) r.mine.disable();
+        r.drive.feedback.statusword = 0x0001;
+        const auto cycle = [&] { return r.mine.on_cycle(r.drive.feedback, r.now += 1ms).controlword; };
+        for (int i = 0; i != 1900; ++i) CHECK(cycle() == 0x02);
+        for (int i = 0; i != 2500; ++i) cycle();
+        CHECK(cycle() == 0x00);
+        CHECK(r.mine.error().code == (on ? axis_errc::enable_lost : axis_errc::step_timeout));
+    }
+}
+
+TEST_CASE("an axis brakes in its old mode while the drive does not take the new one") {
+    axis_options options = slow;
+    options.max_position = 500;
+    rig r{options};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    REQUIRE(r.mine.run_at(1000));
+    double position = 0;
+    const auto cycle = [&] { // it follows its target velocity, whatever the mode is
+        r.now += 1ms;
+        const auto old = r.drive.feedback.mode;
+        r.drive.take(r.mine.on_cycle(r.drive.feedback, r.now));
+        r.drive.feedback.mode = old;
+        r.drive.feedback.velocity = r.mine.targets().velocity;
+        position += r.drive.feedback.velocity * 0.001;
+        r.drive.feedback.position = static_cast<std::int32_t>(position);
+    };
+    for (int i = 0; i != 300; ++i) cycle();
+    REQUIRE(r.drive.feedback.velocity == 1000);
+    r.mine.set_mode(mode::cyclic_synchronous_position);
+    int last = 1000;
+    for (int i = 0; i != 1500; ++i) {
+        cycle();
+        CHECK(std::abs(r.drive.feedback.velocity - last) <= 10); // the deceleration
+        last = r.drive.feedback.velocity;
+        CHECK(r.drive.feedback.position <= 500);
+    }
+    CHECK(r.drive.feedback.velocity == 0);
 }

@@ -19,7 +19,9 @@ class drives {
   public:
     static constexpr jaus::address self{.instance = 1, .component = 56, .node = 2, .subsystem = 2};
 
-    drives() {
+    explicit drives(const bridging::bridge_options& options = bridging::at_rest_within(100ms, 2ms),
+                    const std::array<bridging::joint_options, joints>& arm = joint_arm<1>())
+        : part{arm}, options_{options} {
         std::vector<bridging::slave_front*> all;
         for (std::uint16_t i = 0; i != joints; ++i) {
             const bridging::slave_identity identity{.subsystem = 2, .station = static_cast<std::uint16_t>(2 + i)};
@@ -31,7 +33,10 @@ class drives {
             all.push_back(&fronts_.back());
         }
         unit_.emplace(self, all, part, core_options_);
-        run_until([&] { return unit().state() == primary_status_code::ready && unit().stops().settled(); });
+        run_until([&] {
+            const auto state = unit().state();
+            return state != primary_status_code::initialize && unit().stops().settled();
+        });
     }
     drives(const drives&) = delete;
     drives& operator=(const drives&) = delete;
@@ -48,10 +53,14 @@ class drives {
         for (const auto end = now_ + time; now_ < end;) step(end);
     }
     template <class T> std::uint16_t tell(const T& body, jaus::ack_nak ack = jaus::ack_nak::request) {
+        return tell_as(rig::operator_unit, body, ack);
+    }
+    template <class T>
+    std::uint16_t tell_as(const jaus::address& who, const T& body, jaus::ack_nak ack = jaus::ack_nak::request) {
         const jaus::header head{.ack_nak = ack,
                                 .command_code = jaus::command_code_of<T>,
                                 .destination = self,
-                                .source = rig::operator_unit,
+                                .source = who,
                                 .sequence_number = ++number_};
         std::array<std::byte, 128> buffer{};
         const auto encoded = jauscat::wire::encode(body, buffer);
@@ -75,6 +84,17 @@ class drives {
         run_until([&, number = turn(rate)] { return answer(number) == jaus::ack_nak::ack; });
         run(200ms);
     }
+    /// Another user of the bus has begun or ended.
+    void change_period(jauscat::duration period) {
+        options_.period = period;
+        bus_.apply_options();
+    }
+    [[nodiscard]] double fastest() {
+        double most = 0;
+        for (std::size_t i = 0; i != joints; ++i) most = std::max(most, std::abs(motor(i).velocity()));
+        return most;
+    }
+    [[nodiscard]] jauscat::time_point now() const { return now_; }
     [[nodiscard]] const jauscat::ethercat::master_error& bring_up_error(std::size_t i) const {
         return bus_.bring_up_error(fronts_[i]);
     }
@@ -86,7 +106,7 @@ class drives {
 
     unsigned frames_to_lose{};
     std::array<joint_device<1>, joints> devices{};
-    bridging::joint_part<joints> part{joint_arm<1>()};
+    bridging::joint_part<joints> part;
     notes watcher{};
     std::vector<std::vector<std::byte>> messages{};
     std::function<void()> on_message{};
@@ -135,11 +155,15 @@ class drives {
             each.drive.work(each.slave, now_);
         }
         if (on_step) on_step();
+        if (now_ >= pulse_at_) { // the operator is there
+            pulse_at_ = now_ + 50ms;
+            tell(jaus::report_heartbeat_pulse{}, jaus::ack_nak::none);
+        }
         unit_->on_time(now_, out_);
         bus_.on_time(now_, out_);
     }
 
-    bridging::bridge_options options_{bridging::at_rest_within(100ms, 2ms)};
+    bridging::bridge_options options_;
     jaus::component_options core_options_{};
     std::deque<bridging::exchange_under<actuator::table>> exchanges_{};
     std::deque<bridging::order_memory<16, 256>> memories_{};
@@ -149,7 +173,7 @@ class drives {
     sink sink_{*this};
     jaus::message_sink out_{sink_};
     std::deque<flight> flights_{};
-    jauscat::time_point now_{1s};
+    jauscat::time_point now_{1s}, pulse_at_{};
     std::uint16_t number_{100};
 };
 
@@ -281,4 +305,204 @@ TEST_CASE("a drive that is lost brings the others to rest") {
     d.run_until([&] { return d.watcher.lost != 0; }, 100ms);
     d.run_until([&] { return d.all_at_rest(); }, 300ms);
     CHECK(d.unit().state() == primary_status_code::failure);
+}
+
+TEST_CASE("joints whose ramp takes longer than the limit are refused with a sentence, and stay at rest") {
+    auto arm = joint_arm<1>();
+    arm[3].axis.deceleration = 1'500'000; // 134 ms from 200,000
+    drives d{bridging::at_rest_within(100ms, 2ms), arm};
+    const auto number = d.turn(2.0);
+    d.run_until([&] { return d.answer(number).has_value(); }, 1s);
+    CHECK(d.answer(number) == jaus::ack_nak::nak);
+    CHECK(d.unit().state() == primary_status_code::failure);
+    REQUIRE(d.watcher.faults.size() == 1);
+    CHECK(d.watcher.faults[0].reason ==
+          "joint 4 needs 134 ms from max_velocity to rest by its deceleration, longer than "
+          "the 100 ms in which it has to be at rest");
+    d.tell(jaus::reset{});
+    d.run(500ms);
+    CHECK(d.unit().state() == primary_status_code::failure);
+    CHECK(d.watcher.lost == 0);
+    CHECK(d.all_at_rest());
+}
+
+TEST_CASE("a stop whose ramp would take too long is a quick stop in time, and the drives stay in OP") {
+    const double rate = GENERATE(0.5, 3.0, 10.0);
+    auto arm = joint_arm<1>();
+    for (auto& each : arm) each.axis.acceleration = each.axis.deceleration = 1'000'000; // 100 ms from 100,000
+    drives d{bridging::at_rest_within(200ms, 5ms), arm};
+    d.run_until_turning(rate);
+    d.run(200ms);
+    CHECK(d.fastest() == Approx(rate * 10'000).margin(200));
+    bool has_quick_stop = false;
+    d.on_step = [&] {
+        has_quick_stop = has_quick_stop || d.motor(0).state() == jauscat::cia402::state::quick_stop_active;
+    };
+    const auto begun = d.now();
+    const auto number = d.tell(jaus::standby{});
+    d.run_until([&] { return d.answer(number).has_value(); });
+    CHECK(d.answer(number) == jaus::ack_nak::ack);
+    CHECK(d.now() - begun < 100ms);
+    CHECK(d.all_at_rest());
+    CHECK(has_quick_stop == (rate > 5));
+    CHECK(d.watcher.lost == 0);
+    CHECK(d.watcher.faults.empty());
+}
+
+TEST_CASE("drives that brake for longer than the limit stay in OP, and the stop is acknowledged at rest") {
+    drives d;
+    for (std::size_t i = 0; i != joints; ++i) d.motor(i).values.quick_stop_deceleration = 100'000; // 200 ms from 20,000
+    d.run_until_turning(2.0);
+    const auto begun = d.now();
+    const auto number = d.tell(rig::stop());
+    d.run_until([&] { return d.answer(number).has_value(); }, 1s);
+    CHECK(d.answer(number) == jaus::ack_nak::ack);
+    CHECK(d.now() - begun > 150ms);
+    CHECK(d.all_at_rest());
+    CHECK(d.watcher.lost == 0);
+    CHECK(d.watcher.faults.empty());
+}
+
+TEST_CASE("drives that do not brake are taken out of OP within the limit") {
+    drives d;
+    for (std::size_t i = 0; i != joints; ++i) d.motor(i).values.quick_stop_deceleration = 1'000; // 20 s
+    d.run_until_turning(2.0);
+    d.tell(rig::stop());
+    d.run_until([&] { return d.watcher.lost != 0; }, 100ms);
+    CHECK(d.watcher.last_loss == bridging::loss::no_process_data);
+}
+
+TEST_CASE("commands are executed by drives that need long to enable, and the last one wins") {
+    drives d;
+    const auto open_in = GENERATE(150ms, 900ms);
+    std::array<jauscat::time_point, joints> closed_since{};
+    d.on_step = [&] { // brakes
+        for (std::size_t i = 0; i != joints; ++i) {
+            if (d.motor(i).state() != jauscat::cia402::state::switched_on) closed_since[i] = d.now();
+            const bool is_open = d.now() - closed_since[i] >= open_in;
+            d.motor(i).disturbed.refused =
+                is_open ? std::nullopt : std::optional{jauscat::cia402::state::operation_enabled};
+        }
+    };
+    d.run(10ms);
+    std::vector<std::uint16_t> numbers;
+    for (unsigned i = 0; i != 40; ++i) {
+        numbers.push_back(d.turn(i == 39 ? 2.0 : 1.0));
+        d.run(2ms);
+    }
+    d.run_until([&] { return d.answer(numbers.back()).has_value(); }, 2s);
+    CHECK(d.answer(numbers.back()) == jaus::ack_nak::ack);
+    for (const auto each : numbers)
+        if (each != numbers.back()) CHECK(d.answer(each) == jaus::ack_nak::nak);
+    d.run(200ms);
+    CHECK(d.fastest() == Approx(20'000).margin(200));
+    CHECK(d.watcher.lost == 0);
+    const auto next = d.turn(1.0);
+    d.run_until([&] { return d.answer(next).has_value(); }, 100ms);
+    CHECK(d.answer(next) == jaus::ack_nak::ack);
+}
+
+TEST_CASE("a command that waits for its drives is not executed when another component gets control") {
+    drives d;
+    d.on_step = [&] { // brakes that do not open
+        for (std::size_t i = 0; i != joints; ++i)
+            d.motor(i).disturbed.refused = jauscat::cia402::state::operation_enabled;
+    };
+    d.run(10ms);
+    const auto number = d.turn(2.0);
+    d.run(100ms);
+    REQUIRE(!d.answer(number));
+    d.tell_as({.instance = 1, .component = 40, .node = 1, .subsystem = 2}, jaus::request_component_control{100});
+    d.run_until([&] { return d.answer(number).has_value(); }, 100ms);
+    CHECK(d.answer(number) == jaus::ack_nak::nak);
+    CHECK(d.watcher.stop_causes.back() == bridging::stop_cause::control_taken);
+    d.on_step = [&] {
+        for (std::size_t i = 0; i != joints; ++i) d.motor(i).disturbed.refused.reset();
+    };
+    d.run(500ms);
+    CHECK(d.all_at_rest());
+    CHECK(d.unit().state() == primary_status_code::ready);
+}
+
+TEST_CASE("commands are executed with every period that the limit allows") {
+    const auto period = GENERATE(5ms, 8ms, 10ms, 20ms, 50ms);
+    drives d{bridging::at_rest_within(std::max<std::chrono::nanoseconds>(100ms, 4 * period), period)};
+    for (unsigned i = 0; i != 5; ++i) {
+        const auto go = d.turn(1.0);
+        d.run_until([&] { return d.answer(go).has_value(); });
+        CHECK(d.answer(go) == jaus::ack_nak::ack);
+        const auto stop = d.tell(jaus::standby{});
+        d.run_until([&] { return d.answer(stop).has_value(); });
+        CHECK(d.answer(stop) == jaus::ack_nak::ack);
+        CHECK(d.all_at_rest());
+        const auto resume = d.tell(jaus::resume{});
+        d.run_until([&] { return d.answer(resume).has_value(); });
+        CHECK(d.unit().state() == primary_status_code::ready);
+    }
+    CHECK(d.watcher.lost == 0);
+}
+
+TEST_CASE("joints keep their velocity when another user of the bus changes its period") {
+    auto arm = joint_arm<1>();
+    for (auto& each : arm) each.axis.max_velocity = 20'000;
+    drives d{bridging::at_rest_within(500ms, 10ms), arm};
+    const auto number = d.tell(jaus::basic_set_joint_positions<joints>{.joint_position = {9, 9, 9, 9, 9, 9}});
+    d.run_until([&] { return d.answer(number) == jaus::ack_nak::ack; });
+    for (const auto period : {10ms, 1ms, 10ms, 2ms}) {
+        d.change_period(period);
+        for (unsigned i = 0; i != 25; ++i) {
+            const double from = d.motor(0).position();
+            const auto begun = d.now();
+            d.run(20ms); // a drive that waits for the next target makes up for it
+            const double seconds = std::chrono::duration<double>{d.now() - begun}.count();
+            CHECK((d.motor(0).position() - from) / seconds == Approx(20'000).epsilon(0.05));
+        }
+    }
+}
+
+TEST_CASE("set-points keep to 60C2h where the period has changed between a drive's bring-up and its start") {
+    std::array<std::byte, 64> outputs{}, inputs{};
+    bridging::joint_part<joints> part{joint_arm<1>()};
+    const std::vector<bridging::slave_data> slaves(joints, {.outputs = outputs, .inputs = inputs});
+    for (std::size_t i = 0; i != joints; ++i) REQUIRE(!part.start_up(i, 1ms).empty());
+    REQUIRE(part.start(slaves, 10ms));
+    for (std::size_t i = 0; i != joints; ++i) CHECK(part.group().axis(i).options().cycle == 1ms);
+    bridging::joint_part<joints> other{joint_arm<1>()};
+    REQUIRE(other.start(slaves, 10ms));
+    CHECK(other.group().axis(0).options().cycle == 10ms);
+}
+
+TEST_CASE("an emergency is acknowledged at rest where the drives do not report their velocity") {
+    auto arm = joint_arm<1>();
+    for (auto& each : arm) each.places.velocity = {};
+    drives d{bridging::at_rest_within(500ms, 5ms), arm};
+    for (std::size_t i = 0; i != joints; ++i) d.motor(i).values.quick_stop_deceleration = 100'000;
+    const auto go = d.tell(jaus::basic_set_joint_positions<joints>{.joint_position = {12, 12, 12, 12, 12, 12}});
+    d.run_until([&] { return d.answer(go) == jaus::ack_nak::ack && d.fastest() > 50'000; });
+    const auto number = d.tell(rig::stop());
+    d.run_until([&] { return d.answer(number).has_value(); }, 2s);
+    CHECK(d.answer(number) == jaus::ack_nak::ack);
+    CHECK(d.all_at_rest());
+    CHECK(d.watcher.lost == 0);
+}
+
+TEST_CASE("a component is in Failure until its drive has left the fault, also after Reset") {
+    drives d;
+    d.motor(3).disturbed.fault = jauscat::cia402::error_codes::over_current; // stays
+    d.run_until([&] { return d.unit().state() == primary_status_code::failure; }, 100ms);
+    d.tell(jaus::reset{});
+    bool was_ready = false;
+    d.on_step = [&] { was_ready = was_ready || d.unit().state() == primary_status_code::ready; };
+    d.run(2s);
+    CHECK(!was_ready);
+    CHECK(d.unit().state() == primary_status_code::failure);
+    CHECK(d.unit().fault().has_value());
+    d.on_step = nullptr;
+    d.motor(3).disturbed.fault = 0;
+    d.tell(jaus::reset{});
+    d.run_until(
+        [&] {
+            return d.unit().state() == primary_status_code::standby || d.unit().state() == primary_status_code::ready;
+        },
+        2s);
 }

@@ -196,3 +196,66 @@ TEST_CASE("monitor reports slaves that go and frames that are lost") {
     CHECK(lost.code == failed);
     CHECK(lost.parsed()[0]["lost"] > 0);
 }
+
+TEST_CASE("pdos of more entries than a slave can have are refused") {
+    auto slaves = with_process_data();
+    emulated_bus ring{slaves};
+    ring.on_way_back([](std::span<std::byte> frame) {
+        ethercat::mutable_frame_view view;
+        if (!view.parse(frame)) return;
+        for (const auto d : view) { // each number of PDOs and entries is 255, and each PDO the first one
+            if (d.data.size() < 16 || d.working_counter == 0) continue;
+            const auto is = [&](std::size_t at, unsigned value) { return d.data[at] == static_cast<std::byte>(value); };
+            const bool is_answer = is(5, 0x03) || is(5, 0x13) || is(5, 0x23) || is(5, 0x33) || is(5, 0x43) ||
+                                   is(5, 0x53) || is(5, 0x63) || is(5, 0x73);
+            if (!is_answer || !(is(7, 0x30) || is(8, 0x80))) continue; // or aborted
+            const bool is_assignment = is(10, 0x1C) && (is(9, 0x12) || is(9, 0x13));
+            const bool is_mapping = is(10, 0x16) || is(10, 0x1A);
+            if (!is_assignment && !is_mapping) continue;
+            const auto subindex = d.data[11];
+            d.data[7] = std::byte{0x30};
+            if (subindex == std::byte{}) {
+                d.data[8] = std::byte{0x4F};
+                d.data[12] = std::byte{0xFF};
+            } else if (is_mapping) {
+                d.data[8] = std::byte{0x43};
+            } else {
+                d.data[8] = std::byte{0x4B};
+                d.data[12] = std::byte{0x00};
+                d.data[13] = is(9, 0x12) ? std::byte{0x16} : std::byte{0x1A};
+            }
+        }
+    });
+    const auto ended = run("pdos --slave 1" + on(ring));
+    INFO(ended.err);
+    CHECK(ended.code == failed);
+    CHECK(ended.complains("more than 4096 PDOs and entries"));
+}
+
+TEST_CASE("watch says when a slave leaves its state and when it is back, and shows no inputs in between") {
+    const bool comes_back = GENERATE(true, false);
+    auto slaves = with_process_data();
+    emulated_bus ring{slaves};
+    REQUIRE(run("state safe-op --yes" + on(ring)).code == done);
+    unsigned looks = 0; // at inputs
+    unsigned states = 0;
+    ring.on_way_back([&, comes_back](std::span<std::byte> frame) {
+        ethercat::mutable_frame_view view;
+        if (!view.parse(frame)) return;
+        for (const auto each : view) {
+            if (each.header.cmd != ethercat::command::aprd) continue;
+            if (each.header.length == 7) ++looks;
+            const bool is_second = each.header.adp == 2; // counted by three slaves from -1
+            if (looks == 0 || !is_second || each.header.ado != ethercat::esc_registers::al_status.address) continue;
+            if (++states <= 3 || !comes_back) each.data[0] = std::byte{0x02};
+        }
+    });
+    const auto ended = run("watch --slave 1 --period 10000 --seconds 2 --format json" + on(ring));
+    INFO(ended.err);
+    CHECK(ended.code == (comes_back ? done : failed));
+    CHECK(ended.complains("slave 1"));
+    CHECK(ended.complains("it is in PRE-OP, it was in SAFE-OP: its inputs are not valid"));
+    CHECK(ended.complains("it is in SAFE-OP, it was in PRE-OP\n") == comes_back);
+    CHECK(ended.says(R"("state":"PRE-OP")"));
+    CHECK(ended.says(R"("value":null)"));
+}

@@ -30,8 +30,8 @@ TEST_CASE("jauscat-ecat refuses while a master runs slaves in OP, and leaves the
     for (auto& each : slaves) each.outputs = outputs;
     emulated_bus ring{slaves};
     const auto port = ring.where().substr(ring.where().rfind(':') + 1);
-    nodes::program cyclic{{CYCLIC, "--ethercat-port", port, "--seconds", "600", "--period", "5000", "--watchdog",
-                           "5000", "--log-format", "json"}};
+    nodes::program cyclic{{support::program("cyclic"), "--ethercat-port", port, "--seconds", "600", "--period", "5000",
+                           "--watchdog", "5000", "--log-format", "json"}};
     cyclic.wait_for("ready");
     for (const auto& command : commands) {
         INFO(command);
@@ -70,7 +70,8 @@ TEST_CASE("cyclic takes the slaves back to PRE-OP where it is stopped before the
                 static_cast<void>(jauscat::wire::encode(ethercat::dc_time{time += 700'001}, each.data));
     });
     const auto port = ring.where().substr(ring.where().rfind(':') + 1);
-    nodes::program cyclic{{CYCLIC, "--ethercat-port", port, "--seconds", "600", "--period", "5000", "--clocks"}};
+    nodes::program cyclic{
+        {support::program("cyclic"), "--ethercat-port", port, "--seconds", "600", "--period", "5000", "--clocks"}};
     while (states(ring) != all_in(al_state::safe_op)) std::this_thread::sleep_for(std::chrono::milliseconds{5});
     cyclic.signal(SIGINT);
     CHECK(cyclic.wait() != 0);

@@ -1,6 +1,7 @@
 // Runs jauscat-ecat.
 #pragma once
 #include "app/emulated_bus.hpp"
+#include "support/paths.hpp"
 #include "support/scratch.hpp"
 
 #include <cstdlib>
@@ -32,8 +33,8 @@ enum : int { done = 0, failed = 1, usage = 2, in_use = 3, not_confirmed = 4 };
 /// `limit`: the command that limits its time.
 inline outcome run(const std::string& arguments, const std::string& limit = "timeout 120") {
     const scratch files;
-    const auto command =
-        limit + " '" JAUSCAT_ECAT "' " + arguments + " </dev/null >" + (files / "out") + " 2>" + (files / "err");
+    const auto command = limit + " '" + support::program("jauscat-ecat") + "' " + arguments + " </dev/null >" +
+                         (files / "out") + " 2>" + (files / "err");
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(files / "out"), content(files / "err")};
 }

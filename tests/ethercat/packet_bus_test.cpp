@@ -2,6 +2,8 @@
 #include "ethercat/packet_bench.hpp"
 
 #include <array>
+#include <memory>
+#include <vector>
 
 using namespace jauscat::ethercat;
 using namespace jauscat::hilscher;
@@ -308,4 +310,34 @@ TEST_CASE("over a link that loses, duplicates and delays frames a state is reach
         ++reached;
     }
     CHECK(reached > 95);
+}
+
+TEST_CASE("set state of more slaves than it has room for is refused, and of as many is not") {
+    const auto count = packet_set_state::capacity + GENERATE(std::size_t{0}, std::size_t{1});
+    const slave_description description{};
+    jauscat::test::objects own{};
+    standard_objects dictionary{description, own};
+    std::vector<slave> slaves;
+    slaves.reserve(count);
+    for (std::size_t i = 0; i != count; ++i) slaves.emplace_back(description, dictionary);
+    jauscat::test::simulated_link link{[&](std::span<std::byte> frame) {
+        for (auto& each : slaves) each.process(frame);
+    }};
+    const auto master = std::make_unique<master_for<packet_set_state::capacity + 44>>();
+    const auto execute = [&](auto packet) {
+        packet.head.ul_dest = 0x20;
+        packet.head.ul_len = static_cast<std::uint32_t>(jauscat::wire::max_size<decltype(packet)> - 40);
+        bytes request(jauscat::wire::max_size<decltype(packet)>), confirmation(packet_job::confirmation_size);
+        REQUIRE(jauscat::wire::encode(packet, request));
+        const auto made = execute_packet(*master, request, confirmation, [&] { return link.run(*master); });
+        packet_header head{};
+        REQUIRE(jauscat::wire::decode_prefix(head, made));
+        return head.ul_sta;
+    };
+    CHECK(execute(start_bus_scan_request{}) == packet_status::ok);
+    CHECK(master->slaves().size() == count);
+    const bool has_room = count <= packet_set_state::capacity;
+    CHECK(execute(set_state_request{.us_new_ec_state = bus_state::pre_op}) ==
+          (has_room ? packet_status::ok : packet_status::coe_no_resource));
+    CHECK(execute(get_slave_handles_request{.ul_param = handle_list::active}) == packet_status::ok);
 }

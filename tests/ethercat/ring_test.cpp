@@ -763,6 +763,58 @@ TEST_CASE("PDOs of more than 65,535 bytes are refused") {
     CHECK(b.run(configure{1}).error() == master_error{.code = master_errc::image_full, .bytes = 65'567 + 1});
 }
 
+TEST_CASE("PDOs of more entries than the limit of the whole job are refused") {
+    const bool is_of_many_pdos = GENERATE(false, true); // 255 PDOs of 255 entries of no bits, or one SyncManager's each
+    bench b{motors};
+    std::string asked;
+    unsigned answers = 0;
+    b.link.on_way_back = [&](bytes& frame) {
+        mutable_frame_view view;
+        REQUIRE(view.parse(frame));
+        for (const auto d : view) {
+            if (d.working_counter == 0) continue;
+            if (d.header.ado == 0x1000) asked = to_hex(d.data.subspan(9, 3));
+            if (d.header.ado != 0x1600) continue;
+            ++answers;
+            const auto answer = [&](const std::string& sdo) {
+                std::ranges::copy(from_hex("0030" + sdo), d.data.subspan(6).begin());
+            };
+            const bool is_count = asked.ends_with("00");
+            if (asked.starts_with("12 1c") || asked.starts_with("13 1c"))
+                answer(is_count ? "4f" + asked + (is_of_many_pdos ? "ff" : "09") : "4b" + asked + "0016");
+            else if (asked.starts_with("00 16"))
+                answer(is_count ? "4f" + asked + "ff" : "43" + asked + "00010070");
+        }
+    };
+    REQUIRE(b.up(0, 1));
+    CHECK(b.run(configure{1}).error() == master_error{.code = master_errc::too_many_entries});
+    CHECK(answers < 2 * max_process_objects);
+    b.link.on_way_back = {};
+    CHECK(b.run(configure{1})); // the SII was given back, and the mailbox is free
+}
+
+TEST_CASE("an SII with more PDOs and entries than the limit of the whole job is refused") {
+    auto of_sii = lamps;
+    of_sii.mailbox_out_size = of_sii.mailbox_in_size = 0;
+    bench b{of_sii};
+    unsigned reads = 0;
+    b.link.on_way_back = [&](bytes& frame) {
+        mutable_frame_view view;
+        REQUIRE(view.parse(frame));
+        for (const auto d : view) {
+            if (d.header.ado != 0x0502 || d.header.cmd != command::fprd || d.working_counter == 0) continue;
+            const auto word = std::to_integer<unsigned>(d.data[2]) | std::to_integer<unsigned>(d.data[3]) << 8;
+            if (word < 0x40) continue;
+            ++reads;
+            // One category of TxPDOs up to the end of the memory, of no entries each.
+            std::ranges::copy(from_hex(word == 0x40 ? "3200 ff7f" : "001a 00 ff"), d.data.subspan(6).begin());
+        }
+    };
+    REQUIRE(b.up(0, 1));
+    CHECK(b.run(configure{1}).error() == master_error{.code = master_errc::too_many_entries});
+    CHECK(reads < 8 * max_process_objects);
+}
+
 TEST_CASE("an SII with more SyncManagers than registers is refused") {
     bench b{motors};
     const auto listed = [](unsigned word) -> std::string {

@@ -65,6 +65,19 @@ TEST_CASE("a missing or duplicate fragment is detected") {
     CHECK(twice.result().error().code == master_errc::fragment_missing);
 }
 
+TEST_CASE("more fragments than the buffer can need are refused at once") {
+    bytes into(80);
+    auto many = sdo_information::list(object_list_type::all, into);
+    REQUIRE(take(many, "0080 82 00 ffff 0100") == reply_kind::complete);
+    CHECK(many.result().error() == master_error{.code = master_errc::too_many_fragments, .fragments = 0xFFFF});
+
+    auto most = sdo_information::list(object_list_type::all, into);
+    REQUIRE(take(most, "0080 82 00 0c00 0100") == reply_kind::fragment);
+    auto one_more = sdo_information::list(object_list_type::all, into);
+    REQUIRE(take(one_more, "0080 82 00 0d00 0100") == reply_kind::complete);
+    CHECK(one_more.result().error().code == master_errc::too_many_fragments);
+}
+
 TEST_CASE("a description counts only for the object that was requested") {
     bytes into(40);
     auto object = sdo_information::object(0x1018, into);

@@ -1,6 +1,7 @@
 // The communicator on a terminal: what libedit does with the keys.
 #include "support/catch.hpp"
 #include "support/free_ports.hpp"
+#include "support/paths.hpp"
 #include "support/terminal_program.hpp"
 
 #include <filesystem>
@@ -35,7 +36,7 @@ TEST_CASE("every line on a terminal can be edited and is in the history, and exi
     const std::string up = "\x1b[A", to_the_begin = "\x01", backspace = "\x7f";
     const std::string shown = "\x1b[K"; // before a line of the program, not of the keys
     const configuration config;
-    support::terminal_program program{{COMMUNICATOR, "--config", config.path()}};
+    support::terminal_program program{{support::program("communicator"), "--config", config.path()}};
     program.wait_for("help lists the commands");
     program.wait_for("> ");
     program.type("log on\n");

@@ -2,6 +2,7 @@
 #include "jaus/messages.hpp"
 #include "jaus/vectors.hpp"
 #include "support/catch.hpp"
+#include "support/paths.hpp"
 #include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/text/hex.hpp>
 
@@ -25,7 +26,7 @@ using pugi::xml_node;
 pugi::xml_node standard() {
     static const auto document = [] {
         auto loaded = std::make_unique<pugi::xml_document>();
-        REQUIRE(loaded->load_file(JAUSCAT_TEST_DATA "/jaus_ra_3_3.xml"));
+        REQUIRE(loaded->load_file(support::test_data("jaus_ra_3_3.xml").c_str()));
         return loaded;
     }();
     return document->child("jaus-ra");

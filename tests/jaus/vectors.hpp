@@ -2,6 +2,7 @@
 // the bytes of the whole message.
 #pragma once
 #include "support/hex.hpp"
+#include "support/paths.hpp"
 
 #include <cctype>
 #include <fstream>
@@ -22,7 +23,7 @@ struct vector {
 inline const std::vector<vector>& vectors() {
     static const auto all = [] {
         std::vector<vector> read;
-        std::ifstream file{JAUSCAT_TEST_DATA "/ra_vectors.jsonl"};
+        std::ifstream file{support::test_data("ra_vectors.jsonl")};
         for (std::string line; std::getline(file, line);) {
             json object = json::parse(line);
             vector one{.name = object.at("message"),

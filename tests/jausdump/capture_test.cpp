@@ -13,7 +13,7 @@ using dump_test::write_capture;
 
 namespace {
 
-const std::string recorded = JAUSCAT_TEST_DATA "/jaus_ra.pcap";
+const std::string recorded = support::test_data("jaus_ra.pcap");
 const std::string prefix = "4a41555330312e30";
 // Report Component Status from 1.1.33.1, bare and with the prefix.
 const std::string status = "0602 0240 01200101 01210101 0500 0700 0100000000";

@@ -6,8 +6,8 @@ using namespace dump_test;
 
 namespace {
 
-const std::string own_seed = JAUSCAT_TEST_DATA "/ethercat_jauscat_seed.pcap";
-const std::string own_self_contained = JAUSCAT_TEST_DATA "/ethercat_jauscat_self_contained.pcap";
+const std::string own_seed = support::test_data("ethercat_jauscat_seed.pcap");
+const std::string own_self_contained = support::test_data("ethercat_jauscat_self_contained.pcap");
 
 // Set Wrench Effort from 1.1.32.1, sequence number 34, under the seed table: 12 bytes for object 1B15h:26.
 const std::string wrench = "0602 01200101 2200 0100 ff3f";
@@ -95,11 +95,11 @@ TEST_CASE("an abort is shown with the refused message, its code and its text") {
 }
 
 TEST_CASE("in captures of other stacks only the objects of components are messages") {
-    const auto soem = run("--ethercat seed " JAUSCAT_TEST_DATA "/ethercat_soem_soes.pcap");
+    const auto soem = run("--ethercat seed " + support::test_data("ethercat_soem_soes.pcap"));
     CHECK(soem.says("EtherCAT: download to station 4097 (0x1001), object 0x1B1A:1\n"));
     CHECK(soem.says("refused: SDO abort 0x06010003: "));
     CHECK(soem.says("8 skipped: SDO of an object that is not a JAUS component's\n"));
-    const std::string kickcat = JAUSCAT_TEST_DATA "/ethercat_kickcat.pcap";
+    const std::string kickcat = support::test_data("ethercat_kickcat.pcap");
     CHECK(run("--ethercat seed " + kickcat).says("\n0 messages\n"));
     const auto other_base = run("--ethercat seed --index-base 0x6900 " + kickcat);
     CHECK(other_base.says("EtherCAT: download to station 1001 (0x03E9), object 0x6926:1\n"));
@@ -346,7 +346,7 @@ TEST_CASE("wrong arguments of --ethercat and captures without EtherCAT are repor
     says("--ethercat seed --subsystem 255 " + own_seed, "--subsystem must be 1 to 254");
     says("--ethercat seed --subsystem -1 " + own_seed, "--subsystem must not be negative");
     says("--ethercat seed --index-base 0x3000 " + own_seed, "--index-base must be 6900 or 0x2000 or 0x6900");
-    says("--ethercat seed " JAUSCAT_TEST_DATA "/jaus_ra.pcap", "jaus_ra.pcap: holds no EtherCAT");
+    says("--ethercat seed " + support::test_data("jaus_ra.pcap"), "jaus_ra.pcap: holds no EtherCAT");
     says("--ethercat seed /nowhere.pcap", "/nowhere.pcap");
     CHECK(run("--help").says("jausdump ring.pcap --ethercat seed --subsystem 2\n"));
 }

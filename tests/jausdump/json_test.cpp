@@ -10,7 +10,7 @@ namespace {
 
 std::vector<json> golden_vectors() {
     std::vector<json> all;
-    std::ifstream file{JAUSCAT_TEST_DATA "/ra_vectors.jsonl"};
+    std::ifstream file{support::test_data("ra_vectors.jsonl")};
     for (std::string line; std::getline(file, line);) all.push_back(json::parse(line));
     return all;
 }

@@ -19,7 +19,7 @@ using dump_test::from_hex;
 class listening_program {
   public:
     explicit listening_program(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), {JAUSDUMP, "--listen", "0"});
+        arguments.insert(arguments.begin(), {dump_test::jausdump(), "--listen", "0"});
         pid_ = ::fork();
         if (pid_ == 0) {
             redirect(out_, STDOUT_FILENO);
@@ -27,7 +27,7 @@ class listening_program {
             std::vector<char*> words;
             for (auto& word : arguments) words.push_back(word.data());
             words.push_back(nullptr);
-            ::execv(JAUSDUMP, words.data());
+            ::execv(arguments.front().c_str(), words.data());
             ::_exit(127);
         }
         const std::string said = "listening on UDP port ";

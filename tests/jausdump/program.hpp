@@ -1,6 +1,7 @@
 // Runs jausdump, and makes what it reads.
 #pragma once
 #include "support/hex.hpp"
+#include "support/paths.hpp"
 #include "support/pcap.hpp"
 #include "support/scratch.hpp"
 
@@ -35,11 +36,13 @@ struct outcome {
     [[nodiscard]] bool says(const std::string& text) const { return out.find(text) != std::string::npos; }
 };
 
+inline std::string jausdump() { return support::program("jausdump"); }
+
 /// `before` goes in front of the command: variables.
 inline outcome run(const std::string& arguments, const std::string& input = {}, const std::string& before = {}) {
     const scratch files;
     std::ofstream{files / "in"} << input;
-    const auto command = before + " timeout 60 '" JAUSDUMP "' " + arguments + " <" + (files / "in") + " >" +
+    const auto command = before + " timeout 60 '" + jausdump() + "' " + arguments + " <" + (files / "in") + " >" +
                          (files / "out") + " 2>" + (files / "err");
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(files / "out"), content(files / "err")};

@@ -3,6 +3,7 @@
 #include "support/catch.hpp"
 #include "support/terminal_program.hpp"
 
+using dump_test::jausdump;
 using dump_test::run;
 
 namespace {
@@ -72,7 +73,7 @@ TEST_CASE("a terminal gets colours, except with NO_COLOR") {
     const dump_test::scratch files;
     std::ofstream{files / "in"} << wrench;
     const auto on_terminal = [&](const std::string& before) {
-        const auto command = before + " script -qec \"'" JAUSDUMP "' <" + (files / "in") + "\" /dev/null >" +
+        const auto command = before + " script -qec \"'" + jausdump() + "' <" + (files / "in") + "\" /dev/null >" +
                              (files / "out") + " 2>/dev/null";
         REQUIRE(std::system(command.c_str()) == 0);
         return dump_test::content(files / "out");
@@ -97,7 +98,7 @@ TEST_CASE("the progress of a long capture is shown on a terminal without message
     }
     const dump_test::scratch files;
     const auto seen = [&](const std::string& output) {
-        const auto command = "script -qec \"'" JAUSDUMP "' " JAUSCAT_TEST_DATA "/jaus_ra.pcap " + output +
+        const auto command = "script -qec \"'" + jausdump() + "' " + support::test_data("jaus_ra.pcap") + " " + output +
                              "\" /dev/null >" + (files / "terminal") + " 2>/dev/null";
         static_cast<void>(std::system(command.c_str())); // 1: not all of this capture is of the standard
         return dump_test::content(files / "terminal");
@@ -107,7 +108,7 @@ TEST_CASE("the progress of a long capture is shown on a terminal without message
 }
 
 TEST_CASE("without arguments on a terminal the program states its input, and Ctrl-C ends it with the summary") {
-    support::terminal_program program{{JAUSDUMP}};
+    support::terminal_program program{{jausdump()}};
     program.wait_for("jausdump: type messages as hex digits, one a line");
     program.type(wrench);
     program.wait_for("propulsive_linear_effort_x");
@@ -118,7 +119,7 @@ TEST_CASE("without arguments on a terminal the program states its input, and Ctr
 
 TEST_CASE("Ctrl-C on a terminal also ends it before any input, and inside a line") {
     for (const std::string keys : {"", "0602"}) {
-        support::terminal_program program{{JAUSDUMP}};
+        support::terminal_program program{{jausdump()}};
         program.wait_for("Ctrl-D or Ctrl-C ends it, --help explains more");
         program.type(keys + "\x03");
         program.wait_for("0 messages");

@@ -1,5 +1,6 @@
 // JausConfig.xml beyond addresses: several addresses, multicast, limits, nodes and components.
 #include "net/config_text.hpp"
+#include "support/paths.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -366,7 +367,7 @@ TEST_CASE("the root element may name its schema") {
 
 // The same files are given to the schema by schema.sh.
 TEST_CASE("files are accepted and refused as by the schema") {
-    const std::filesystem::path folder{JAUSCAT_TEST_DATA "/../net/config"};
+    const std::filesystem::path folder{support::source_file("tests/net/config")};
     std::size_t good = 0, broken = 0;
     for (const auto& file : std::filesystem::directory_iterator{folder / "good"}) {
         CHECK_NOTHROW(net::read_jaus_config(file.path()));
@@ -382,7 +383,7 @@ TEST_CASE("files are accepted and refused as by the schema") {
 }
 
 TEST_CASE("a file with every option is read completely") {
-    const auto config = net::read_jaus_config(JAUSCAT_TEST_DATA "/../net/config/good/everything.xml");
+    const auto config = net::read_jaus_config(support::source_file("tests/net/config/good/everything.xml"));
     CHECK(config.me().limits.large_data_memory == 8'388'608);
     CHECK(config.me().components.size() == 4);
     CHECK(config.me().multicast->interface_name == "eth0");

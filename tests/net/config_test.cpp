@@ -1,5 +1,6 @@
 // JausConfig.xml: valid files, and the error for each kind of invalid one.
 #include "net/config_text.hpp"
+#include "support/paths.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -20,7 +21,7 @@ std::string hop(const jaus_config& config, std::string_view destination) {
 } // namespace
 
 TEST_CASE("the example file names systems a, b and c") {
-    const auto config = read_jaus_config(std::filesystem::path{JAUSCAT_TEST_DATA} / "../../examples/JausConfig.xml");
+    const auto config = read_jaus_config(support::source_file("examples/JausConfig.xml"));
     REQUIRE(config.systems.size() == 3);
     CHECK(config.this_system == "a");
     CHECK(config.me().name == "a");

@@ -6,6 +6,7 @@
 #include <jauscat/net/node/detail/large_data_queue.hpp>
 #include <jauscat/net/node/detail/node_components.hpp>
 
+#include <functional>
 #include <map>
 #include <random>
 
@@ -42,15 +43,22 @@ struct transfer {
     std::vector<bytes> arrived{};
     std::vector<jaus::delivered> outcomes{};
     std::size_t packets{};
+    std::function<void()> on_packet{}, on_done{};
 
     void run(instant until) {
         const jauscat::time_point end = until;
         while (now < end) {
             queue.on_time(
-                now, [&](std::span<const std::byte> packet) { ++packets, put(packet, to_receiver); },
+                now,
+                [&](std::span<const std::byte> packet) {
+                    ++packets;
+                    if (on_packet) on_packet();
+                    if (jaus::split(packet).header.destination == screen) put(packet, to_receiver);
+                },
                 [&](const jaus::header& of, jaus::delivered what) {
                     CHECK(of.command_code == head.command_code);
                     outcomes.push_back(what);
+                    if (const auto f = on_done) f();
                 });
             arrive(to_receiver, [&](const jaus::header& h, std::span<const std::byte> body) { receive(h, body); });
             arrive(to_sender,
@@ -174,6 +182,80 @@ TEST_CASE("a packet equal to that of the previous large data set is sent twice, 
     REQUIRE((t.arrived[1] == other));
     REQUIRE(t.packets == 3 * 5 + 1);
     REQUIRE(t.now < instant{3 * (10ms + 40ms)});
+}
+
+TEST_CASE("large data sets of one source and code do not overtake each other, also where one is in its pause") {
+    transfer t{conditions{}};
+    const bytes same = image(20'000, 1), other = image(20'000, 2);
+    for (const auto& body : {same, same, other}) REQUIRE(t.queue.push(head, body) == jaus::errc::ok);
+    t.run(20s);
+    REQUIRE(t.arrived.size() == 3);
+    CHECK((t.arrived[1] == same));
+    CHECK((t.arrived[2] == other));
+}
+
+TEST_CASE("a large data set waits for none to another node, and all share the pacing") {
+    transfer t{conditions{}};
+    auto elsewhere = head; // where nobody answers
+    elsewhere.destination.subsystem = 3;
+    for (std::uint8_t i = 1; i != 11; ++i) {
+        elsewhere.destination.component = i;
+        REQUIRE(t.queue.push(elsewhere, image(20'000, i)) == jaus::errc::ok);
+    }
+    for (std::uint8_t i = 0; i != 20; ++i) { // without acknowledgement
+        auto plain = head;
+        plain.ack_nak = jaus::ack_nak::none;
+        plain.destination.subsystem = static_cast<std::uint8_t>(10 + i);
+        REQUIRE(t.queue.push(plain, image(40'000, i)) == jaus::errc::ok);
+    }
+    REQUIRE(t.queue.push(head, image(20'000, 99)) == jaus::errc::ok);
+    std::vector<jauscat::time_point> sent;
+    t.on_packet = [&] { sent.push_back(t.now); };
+    t.run(1s);
+    CHECK(t.arrived.size() == 1);
+    CHECK(t.outcomes == std::vector{jaus::delivered::acknowledged});
+    CHECK(t.queue.size() == 10);
+    for (std::size_t i = 4; i < sent.size(); ++i) REQUIRE(sent[i] - sent[i - 4] >= 1ms);
+}
+
+TEST_CASE("a large report that waits is replaced by the next one, and a command is not") {
+    for (const std::uint16_t code : {std::uint16_t{0x4D04}, std::uint16_t{0xD111}}) {
+        CAPTURE(code);
+        large_data_queue queue{std::size_t{1} << 20U, {}};
+        auto plain = head;
+        plain.command_code = code;
+        plain.ack_nak = jaus::ack_nak::none;
+        std::vector<std::byte> firsts;
+        jauscat::time_point now{};
+        for (unsigned i = 0; i != 10; ++i) {
+            REQUIRE(queue.push(plain, bytes(9000, static_cast<std::byte>(i))) == jaus::errc::ok);
+            queue.on_time(now,
+                          [&](std::span<const std::byte> packet) {
+                              const auto m = jaus::split(packet);
+                              if (m.header.data_flag == jaus::data_flag::first) firsts.push_back(m.body[0]);
+                          },
+                          {});
+        }
+        CHECK(queue.size() == (code == 0xD111 ? 9 : 1));
+        now += 501ms;
+        queue.on_time(now, [&](std::span<const std::byte> packet) { firsts.push_back(jaus::split(packet).body[0]); },
+                      {});
+        REQUIRE(firsts.size() >= 2);
+        CHECK(firsts[1] == (code == 0xD111 ? std::byte{1} : std::byte{9}));
+    }
+}
+
+TEST_CASE("a handler of an outcome may clear the queue, and push") {
+    transfer t{conditions{}};
+    t.on_done = [&] {
+        t.queue.clear();
+        REQUIRE(t.queue.push(head, image(20'000, 9)) == jaus::errc::ok);
+        t.on_done = nullptr;
+    };
+    for (unsigned i = 0; i != 3; ++i) REQUIRE(t.queue.push(head, image(20'000, i)) == jaus::errc::ok);
+    t.run(20s);
+    REQUIRE(t.arrived.size() == 2);
+    CHECK((t.arrived[1] == image(20'000, 9)));
 }
 
 // Its program was suspended; the receiver knows a whole data set for two seconds.

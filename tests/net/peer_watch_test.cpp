@@ -92,3 +92,25 @@ TEST_CASE("a flood of peers that bind a component occupies a bounded number of p
     REQUIRE(lost == net::detail::peer_watch::most);
     REQUIRE_FALSE(watch.next_event());
 }
+
+TEST_CASE("what a component has requested or moved ends with it, although its node and node manager live") {
+    simulated_network network{};
+    const auto systems =
+        system("manager", "1.1.0.0", 1001) + system("operator", "1.1.32.0", 1003) + system("robot", "2.0.0.0", 1002);
+    simulated_program manager{network, config("manager", systems), make(1, 1, 40)};
+    simulated_program ocu{network, config("operator", systems), make(1, 1, 32)};
+    simulated_program robot{network, config("robot", systems), make(2, 1, 33)};
+    REQUIRE(network.run(network.now + 10s, [&] { return !robot.appeared.empty(); }));
+    REQUIRE(ocu.node.send({.destination = robot.self, .source = ocu.self},
+                          jaus::create_service_connection{jaus::command_code_of<jaus::report_wrench_effort>, 10, 0},
+                          network.now));
+    REQUIRE(network.run(network.now + 1s, [&] { return robot.connections.next_event().has_value(); }));
+    network.run(network.now + 1min, [] { return false; });
+    REQUIRE(robot.connections.next_event());
+    network.detach(ocu.at);
+    const auto gone_at = network.now;
+    REQUIRE(network.run(network.now + 10s, [&] { return !robot.connections.next_event(); }));
+    REQUIRE(network.now - gone_at <= 3s);
+    REQUIRE(robot.logged("1.1.32.1 does not answer any more"));
+    REQUIRE(robot.disappeared.empty());
+}

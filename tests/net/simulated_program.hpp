@@ -26,6 +26,9 @@ struct simulated_program {
             log.emplace_back(line);
             if (on_log) on_log(line);
         };
+        options.on_sent = [this](std::span<const std::byte> message) {
+            if (on_sent) on_sent(message);
+        };
         options.on_message = [this](const jaus::address&, const jaus::header& head, std::span<const std::byte> body,
                                     auto) {
             if (heard) heard(head, body);
@@ -50,6 +53,7 @@ struct simulated_program {
     simulated_network& on;
     std::vector<std::string> log{};
     std::function<void(std::string_view)> on_log{};
+    std::function<void(std::span<const std::byte>)> on_sent{};
     std::function<void(const jaus::header&, std::span<const std::byte>)> heard{};
     std::vector<jaus::address> appeared{}, disappeared{};
     std::vector<bytes> large{}; ///< that came

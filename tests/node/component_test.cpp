@@ -461,6 +461,43 @@ TEST_CASE("a repeated command is acknowledged again and executed once") {
     REQUIRE(a.efforts.size() == 4);
 }
 
+TEST_CASE("what a rule refuses is not remembered, and is refused again") {
+    arm a;
+    a.put_under_control_of(ocu_address);
+    for (std::uint16_t i = 1; i != 1000; ++i)
+        for (const auto& from : {boss_address, jaus::address{1, 41, 1, 9}, jaus::address{1, 42, 1, 9}})
+            REQUIRE(a.hear(push, from, ack_nak::request, i) == not_controller);
+    REQUIRE(a.sent.size() == 3 * 999); // a NAK each
+    REQUIRE(a.hear(push, boss_address, ack_nak::request, 999) == not_controller);
+    for (std::uint16_t i = 1; i != 33; ++i) REQUIRE(a.hear(push, ocu_address, ack_nak::request, i) == handled);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 5) == repeated);
+    // Executed, and then no more allowed: its repeat is acknowledged all the same.
+    REQUIRE(a.hear(jaus::standby{}, ocu_address) == handled);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 5) == repeated);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 40) == not_ready);
+    REQUIRE(a.hear(jaus::resume{}, ocu_address) == handled);
+    a.core.reject_control(a.sent.sink());
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 5) == repeated);
+    REQUIRE(a.efforts.size() == 32);
+}
+
+TEST_CASE("places are kept for the controller, whatever others are allowed to send") {
+    arm a; // of 64 places
+    std::uint16_t number = 0;
+    unsigned taken = 0;
+    a.put_under_control_of(ocu_address);
+    const auto asks = [&](const jaus::address& from) { // open to all, and refused by their low authority
+        return a.hear(jaus::request_component_control{0}, from, ack_nak::request, ++number);
+    };
+    for (std::uint8_t i = 50; i != 60; ++i)
+        for (unsigned j = 0; j != 20; ++j) taken += asks({1, i, 1, 9}) != no_capacity;
+    REQUIRE(taken == 48);
+    for (std::uint16_t i = 1; i != 17; ++i) REQUIRE(a.hear(push, ocu_address, ack_nak::request, i) == handled);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 17) == no_capacity);
+    REQUIRE(asks({1, 61, 1, 9}) == no_capacity);
+    REQUIRE(a.hear(stop, {1, 61, 1, 9}, ack_nak::request, 1) == handled);
+}
+
 TEST_CASE("a command that an actuator executes later is acknowledged after its execution") {
     jaus::component_memory<4, 64, 64> memory{};
     jaus::component core{arm_address, memory, {}, {}};
@@ -878,4 +915,258 @@ TEST_CASE("an action of the component itself makes a message numbered 0 new") {
     a.put_under_control_of(boss_address);
     a.core.reject_control(a.sent.sink());
     REQUIRE(resume() == handled);
+}
+
+TEST_CASE("a sender without control is watched from its motion command on, and lost by silence as a controller is") {
+    for (const auto period : {500ms, 3000ms}) {
+        arm a{{.control = {.timeout = period}}};
+        REQUIRE(a.hear(push, ocu_address, ack_nak::none, 0, 10s) == handled);
+        a.sent.clear();
+        for (int i = 1; i != 4; ++i) {
+            REQUIRE(a.core.next_event() == instant{10s + i * period / 4});
+            a.core.on_time(instant{10s + i * period / 4}, a.sent.sink());
+            REQUIRE(a.sent.size() == static_cast<std::size_t>(i));
+            REQUIRE(a.sent.header(static_cast<std::size_t>(i) - 1).command_code ==
+                    jaus::command_code_of<jaus::query_heartbeat_pulse>);
+        }
+        REQUIRE(a.hooks.changes.empty());
+        a.core.on_time(instant{10s + period}, a.sent.sink());
+        REQUIRE(a.hooks.changes == std::vector{jaus::control_change::lost});
+        REQUIRE(a.hooks.controllers == std::vector<std::optional<jaus::controller>>{std::nullopt});
+        a.core.on_time(instant{20s}, a.sent.sink());
+        REQUIRE(a.hooks.changes.size() == 1); // told once
+        // The next command is watched again.
+        REQUIRE(a.hear(push, ocu_address, ack_nak::none, 0, 30s) == handled);
+        a.core.on_time(instant{30s + period}, a.sent.sink());
+        REQUIRE(a.hooks.changes.size() == 2);
+    }
+}
+
+TEST_CASE("any message of a sender without control counts as its life") {
+    arm a;
+    const jaus::header pulse{.command_code = 0x4202, .destination = arm_address, .source = ocu_address};
+    REQUIRE(a.hear(push, ocu_address) == handled);
+    a.core.on_time(instant{130ms}, a.sent.sink());
+    REQUIRE(a.hear(pulse, {}, 140ms, a.sent.sink()) == handled); // asked for: the application does not get it
+    REQUIRE(a.hear(pulse, {}, 140ms, a.sent.sink()) == unknown);
+    a.core.on_time(instant{639ms}, a.sent.sink());
+    REQUIRE(a.hooks.changes.empty());
+    REQUIRE(a.hear(jaus::query_wrench_effort{}, ocu_address, ack_nak::none, 0, 639ms) == handled);
+    a.core.on_time(instant{1138ms}, a.sent.sink());
+    REQUIRE(a.hooks.changes.empty());
+    REQUIRE(a.hear(push, boss_address, ack_nak::none, 0, 1138ms) == handled);
+    a.core.on_time(instant{1200ms}, a.sent.sink());
+    REQUIRE(a.hooks.changes.empty()); // the other sender is not the one whose command is in force any more
+    a.core.on_time(instant{1638ms}, a.sent.sink());
+    REQUIRE(a.hooks.changes == std::vector{jaus::control_change::lost});
+}
+
+TEST_CASE("every message that moves something is watched, also a private one and a large one, and no other is") {
+    struct sent_command {
+        std::uint16_t code;
+        std::size_t size;
+        bool is_watched;
+    };
+    const std::array<std::uint16_t, 1> harmless{0xD00D};
+    for (const auto& [code, size, is_watched] : std::to_array<sent_command>({{0x0405, 2, true},
+                                                                             {0x0602, 2, true},
+                                                                             {0xD005, 0, true},
+                                                                             {0x7000, 1, true},
+                                                                             {0xD005, 9000, true},
+                                                                             {0xD00D, 4, false},
+                                                                             {0x2405, 2, false},
+                                                                             {0x4405, 2, false},
+                                                                             {0x0E02, 2, false}})) {
+        CAPTURE(code, size);
+        arm a{{.control = {.harmless = harmless}}};
+        const std::vector<std::byte> body(size);
+        for (const auto outcome : {message_outcome::unhandled, message_outcome::refused, message_outcome::malformed,
+                                   message_outcome::deferred, message_outcome::handled}) {
+            a.core.on_message({.command_code = code, .destination = arm_address, .source = ocu_address}, body,
+                              instant{1s}, a.sent.sink(), [&](const jaus::header&, auto) { return outcome; });
+            const bool is_obeyed = outcome == message_outcome::deferred || outcome == message_outcome::handled;
+            CHECK(a.core.control().is_moved_by(ocu_address) == (is_watched && is_obeyed));
+        }
+        a.core.on_time(instant{1500ms}, a.sent.sink());
+        CHECK(a.hooks.changes.size() == (is_watched ? 1 : 0));
+    }
+}
+
+TEST_CASE("a deferred command is watched before it is executed, and replaces others when it is") {
+    arm a;
+    const auto tell = [&](const jaus::address& from, instant now, message_outcome outcome) {
+        const jaus::header head{.command_code = 0x0405, .destination = arm_address, .source = from};
+        a.core.on_message(head, {}, now, a.sent.sink(), [&](const jaus::header&, auto) { return outcome; });
+        return head;
+    };
+    const auto finish = [&](const jaus::header& head, bool executed, instant now) {
+        static_cast<void>(a.core.finish(head, executed, now, a.sent.sink()));
+    };
+    const auto loses = [&](instant now) {
+        const auto before = a.hooks.changes.size();
+        a.core.on_time(now, a.sent.sink());
+        return a.hooks.changes.size() != before;
+    };
+    SECTION("not executed: both senders move it, for all that is known") {
+        tell(ocu_address, 1s, message_outcome::handled);
+        finish(tell(boss_address, 1400ms, message_outcome::deferred), false, 1450ms);
+        REQUIRE_FALSE(loses(1499ms));
+        REQUIRE(loses(1500ms));
+        REQUIRE_FALSE(loses(5s));
+    }
+    SECTION("executed: only the last one moves it") {
+        tell(ocu_address, 1s, message_outcome::handled);
+        finish(tell(boss_address, 1400ms, message_outcome::deferred), true, 1450ms);
+        REQUIRE_FALSE(loses(1899ms));
+        REQUIRE(loses(1900ms));
+    }
+    SECTION("one that waits may move it soon") {
+        const auto waits = tell(boss_address, 1s, message_outcome::deferred);
+        tell(ocu_address, 1400ms, message_outcome::handled);
+        REQUIRE(a.core.control().is_moved_by(boss_address));
+        finish(waits, true, 1450ms);
+        REQUIRE_FALSE(a.core.control().is_moved_by(ocu_address));
+        REQUIRE(loses(1500ms));
+    }
+    SECTION("after a stop it is not watched for a command that was refused for it") {
+        const auto waits = tell(boss_address, 1s, message_outcome::deferred);
+        a.hear(jaus::standby{}, boss_address, ack_nak::none, 0, 1s);
+        finish(waits, false, 1s);
+        REQUIRE_FALSE(loses(5s));
+    }
+    SECTION("of more senders than are watched, the last ones are") {
+        for (std::uint8_t i = 1; i != 100; ++i)
+            tell({1, 32, 1, i}, instant{1s + i * 1ms}, i == 1 ? message_outcome::handled : message_outcome::deferred);
+        REQUIRE(a.core.control().is_moved_by({1, 32, 1, 1})); // its command is in force
+        REQUIRE(a.core.control().is_moved_by({1, 32, 1, 99}));
+        REQUIRE(loses(1501ms));
+    }
+}
+
+TEST_CASE("what a sender has left in force is watched when another component has control, until that moves something") {
+    for (const bool moves : {false, true}) {
+        CAPTURE(moves);
+        arm a;
+        REQUIRE(a.hear(push, ocu_address) == handled);
+        a.hear(jaus::request_component_control{9}, boss_address, ack_nak::none, 0, 100ms);
+        if (moves) REQUIRE(a.hear(push, boss_address, ack_nak::none, 0, 200ms) == handled);
+        a.hear(jaus::query_wrench_effort{}, boss_address, ack_nak::none, 0, 499ms);
+        a.hooks = {};
+        a.core.on_time(instant{500ms}, a.sent.sink());
+        REQUIRE(a.core.control().controls(boss_address));
+        REQUIRE(a.hooks.changes.size() == (moves ? 0 : 1));
+        if (moves) continue;
+        REQUIRE(a.hooks.changes.front() == jaus::control_change::lost);
+        REQUIRE(a.hooks.controllers.front()->address == boss_address);
+    }
+}
+
+TEST_CASE("what a controller leaves in force is watched after its control has ended") {
+    for (const bool is_released : {true, false}) {
+        CAPTURE(is_released);
+        arm a;
+        a.put_under_control_of(ocu_address);
+        REQUIRE(a.hear(push, ocu_address, ack_nak::none, 0, 100ms) == handled);
+        if (is_released)
+            a.hear(jaus::release_component_control{}, ocu_address, ack_nak::none, 0, 300ms);
+        else
+            a.hear(jaus::request_component_control{255}, boss_address, ack_nak::none, 0, 300ms);
+        a.hooks = {};
+        a.hear(jaus::query_wrench_effort{}, boss_address, ack_nak::none, 0, 599ms);
+        a.core.on_time(instant{599ms}, a.sent.sink());
+        REQUIRE(a.hooks.changes.empty());
+        a.core.on_time(instant{is_released ? 799ms : 600ms}, a.sent.sink());
+        REQUIRE(a.hooks.changes.empty() == is_released);
+        a.core.on_time(instant{800ms}, a.sent.sink());
+        REQUIRE(a.hooks.changes.size() == 1);
+        REQUIRE(a.hooks.changes.front() == jaus::control_change::lost);
+    }
+}
+
+TEST_CASE("a sender that takes control is watched once, and right after its loss the next sender is") {
+    arm a;
+    REQUIRE(a.hear(push, ocu_address) == handled);
+    REQUIRE(a.hear(jaus::request_component_control{9}, ocu_address, ack_nak::none, 0, 100ms) == handled);
+    a.sent.clear();
+    a.hooks = {};
+    a.core.on_time(instant{225ms}, a.sent.sink());
+    REQUIRE(a.sent.size() == 1); // one query
+    a.core.on_time(instant{600ms}, a.sent.sink());
+    REQUIRE(a.hooks.changes == std::vector{jaus::control_change::lost});
+    REQUIRE(a.hear(push, boss_address, ack_nak::none, 0, 600ms) == handled);
+    a.core.on_time(instant{1100ms}, a.sent.sink());
+    REQUIRE(a.hooks.changes.size() == 2);
+}
+
+TEST_CASE("a state in which nothing moves ends the watch of senders") {
+    for (const int way : {0, 1, 2}) {
+        arm a;
+        REQUIRE(a.hear(push, ocu_address) == handled);
+        if (way == 0) a.hear(jaus::standby{}, boss_address);
+        if (way == 1) a.hear(stop, boss_address);
+        if (way == 2) a.core.at_rest();
+        a.sent.clear();
+        a.core.on_time(instant{1s}, a.sent.sink());
+        REQUIRE(a.sent.empty());
+        REQUIRE(a.hooks.changes.empty());
+    }
+}
+
+TEST_CASE("a sender whose node is lost is lost at once, and the same command is a new one then") {
+    arm a{{.control = {.timeout = 0s}}};
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 0) == handled);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 0) == repeated);
+    a.core.on_lost({255, 255, 2, 1});
+    REQUIRE(a.hooks.changes.empty());
+    a.core.on_lost({255, 255, ocu_address.node, ocu_address.subsystem});
+    REQUIRE(a.hooks.changes == std::vector{jaus::control_change::lost});
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 0) == handled);
+}
+
+TEST_CASE("motion without control is refused, or not watched, by option") {
+    using enum jaus::motion_without_control;
+    arm strict{{.control = {.without_control = refused}}};
+    REQUIRE(strict.hear(push, ocu_address) == not_controller);
+    REQUIRE(strict.hear(jaus::query_wrench_effort{}, ocu_address) == handled);
+    REQUIRE(strict.hear(jaus::standby{}, ocu_address) == handled); // it moves nothing
+    REQUIRE(strict.hear(jaus::resume{}, ocu_address) == handled);
+    strict.put_under_control_of(ocu_address);
+    REQUIRE(strict.hear(push, ocu_address) == handled);
+    REQUIRE(strict.hear(jaus::release_component_control{}, ocu_address) == handled);
+    REQUIRE(strict.hear(push, ocu_address) == not_controller);
+    strict.hooks = {};
+    strict.core.on_time(instant{500ms}, strict.sent.sink());
+    REQUIRE(strict.hooks.changes == std::vector{jaus::control_change::lost}); // what it has left in force
+
+    arm lax{{.control = {.without_control = unwatched}}};
+    REQUIRE(lax.hear(push, ocu_address) == handled);
+    lax.core.on_time(instant{10s}, lax.sent.sink());
+    lax.core.on_lost(ocu_address);
+    REQUIRE(lax.hooks.changes.empty());
+    REQUIRE(lax.sent.empty());
+    lax.put_under_control_of(ocu_address);
+    lax.core.on_time(instant{10s}, lax.sent.sink());
+    REQUIRE(lax.hooks.changes == std::vector{jaus::control_change::lost});
+}
+
+TEST_CASE("commands are not repeated after Reject Component Control, but what any sender may send is") {
+    ocu operator_{ocu_address};
+    sent_messages sent{};
+    const auto send = [&](const jaus::address& to, const auto& body) {
+        REQUIRE(operator_.core.send({.destination = to}, body, instant{0s}, sent.sink()));
+    };
+    send(arm_address, push);
+    send(arm_address, jaus::standby{});
+    send(arm_address, stop);
+    send(arm_address, jaus::query_wrench_effort{});
+    send(boss_address, push);
+    sent.clear();
+    operator_.hear({.command_code = jaus::command_code_of<jaus::reject_component_control>,
+                    .destination = ocu_address,
+                    .source = arm_address},
+                   {}, 100ms, sent.sink());
+    REQUIRE(operator_.hooks.outcomes == std::vector<std::pair<std::uint16_t, delivered>>{
+                                            {0x0405, delivered::control_lost}, {0x0003, delivered::control_lost}});
+    operator_.core.on_time(instant{250ms}, sent.sink());
+    REQUIRE(sent.size() == 3);
 }

@@ -846,6 +846,38 @@ TEST_CASE("events continue after a gap that exceeds their numbers") {
     REQUIRE(c.hear(event_number(9 + 131 + 256), 3s).what == event_notice::event);
 }
 
+TEST_CASE("late events and copies are dropped at any time, also after a silence") {
+    consumer c;
+    REQUIRE(c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, instant{0s},
+                            c.sent.sink()));
+    c.hear(confirmed("00 01 04 44 07 00"));
+    for (const unsigned number : {20u, 22u}) REQUIRE(c.hear(event_number(number), 1s).what == event_notice::event);
+    REQUIRE(c.hear(event_number(22), 1s).what == event_notice::repeated);
+    for (const auto now : {1s, 2s, 4s, 3600s})
+        for (const unsigned number : {21u, 20u, 1u, 0u})
+            REQUIRE(c.hear(event_number(number), now).what == event_notice::repeated);
+    while (c.first().state != requested_state::stale) c.events.on_time(*c.events.next_event(), c.sent.sink());
+    REQUIRE(c.hear(event_number(21), 3601s).what == event_notice::repeated);
+    // Confirmed again: it goes on, or counts anew, which the number 0 or 1 says, or that it goes on for long.
+    const auto id = c.first().local_request_id;
+    c.hear(jauscat::test::message(
+               {.destination = viewer, .source = sensor},
+               jaus::confirm_event_request{.local_request_id = id, .message_code = velocity, .event_id = 7}),
+           3602s);
+    REQUIRE(c.first().state == requested_state::active);
+    REQUIRE(c.hear(event_number(21), 3602s).what == event_notice::repeated);
+    SECTION("it goes on") { REQUIRE(c.hear(event_number(23), 3602s).what == event_notice::event); }
+    SECTION("it counts anew") {
+        REQUIRE(c.hear(event_number(1), 3602s).what == event_notice::event);
+        REQUIRE(c.hear(event_number(2), 3602s).what == event_notice::event);
+        REQUIRE(c.hear(event_number(1), 3602s).what == event_notice::repeated);
+    }
+    SECTION("its first events were lost") {
+        for (unsigned i = 3; i != 10; ++i) REQUIRE(c.hear(event_number(i), 3602s).what == event_notice::repeated);
+        REQUIRE(c.hear(event_number(10), 3602s).what == event_notice::event);
+    }
+}
+
 TEST_CASE("a silent provider of periodic events is detected, and queried until it answers") {
     provider p;
     consumer c;

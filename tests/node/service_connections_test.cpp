@@ -349,6 +349,27 @@ TEST_CASE("a connection without a report for three periods is stale and requeste
     REQUIRE(c.first().state == consumed_state::active);
 }
 
+TEST_CASE("a late copy of a report is dropped after a silence, too, before and after a new confirmation") {
+    consumer c;
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
+    c.hear(from_hex(confirmation), 0s);
+    for (const std::uint16_t number : {std::uint16_t{40}, std::uint16_t{41}})
+        REQUIRE(c.report(number, 100ms).what == consumer_notice::report);
+    c.service.on_time(*c.service.next_event(), c.sent.sink());
+    REQUIRE(c.first().state == consumed_state::stale);
+    REQUIRE(c.report(40, 1s).what == consumer_notice::old_report);
+    c.hear(from_hex(confirmation), 2s);
+    REQUIRE(c.first().state == consumed_state::active);
+    REQUIRE(c.report(40, 2s).what == consumer_notice::old_report);
+    REQUIRE(c.report(41, 2s).what == consumer_notice::old_report);
+    SECTION("it goes on") { REQUIRE(c.report(42, 2s).what == consumer_notice::report); }
+    SECTION("it counts anew, and its first reports were lost") {
+        for (std::uint16_t i = 5; i != 12; ++i) REQUIRE(c.report(i, 2s).what == consumer_notice::old_report);
+        REQUIRE(c.report(12, 2s).what == consumer_notice::report);
+        REQUIRE(c.report(13, 2s).what == consumer_notice::report);
+    }
+}
+
 TEST_CASE("a consumer abandons requests that are refused or never answered") {
     consumer c;
     REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));

@@ -1,6 +1,7 @@
 // The operator control unit's session: control, refusals, losses, heartbeats; and the demonstration.
 #include "nodes/namespaces.hpp"
 #include "nodes/robot.hpp"
+#include "support/paths.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -84,7 +85,7 @@ TEST_CASE("a unit detects by the report whether a peer that never acknowledges h
     for (const auto& [manner, code] : {peer{"obeys", 0}, {"ignores", 1}, {"mute", 1}}) {
         INFO("the peer " << manner);
         robot r;
-        auto& silent = r.start_command({"python3", std::string{NODES_SOURCE} + "/silent_peer.py",
+        auto& silent = r.start_command({"python3", support::source_file("tests/nodes/silent_peer.py"),
                                         std::to_string(r.controller_port), std::to_string(r.ocu_port), manner});
         silent.wait_for_output("silent peer: ready");
         // Its heartbeats come from the component itself.
@@ -232,7 +233,7 @@ TEST_CASE("a unit releases control on Ctrl-C and SIGTERM") {
 }
 
 TEST_CASE("the demonstration runs, also while another one does") {
-    const std::string root = NODES_SOURCE "/../..";
+    const std::string root = support::source_file("");
     robot r;
     // Another one may run in another terminal: the ports of the example configuration are taken.
     const words example{"--config", root + "/examples/JausConfig.xml", "--this", "b"};

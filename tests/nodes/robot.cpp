@@ -2,6 +2,7 @@
 
 #include "support/free_ports.hpp"
 #include "support/hex.hpp"
+#include "support/paths.hpp"
 #include <jauscat/wire/decode.hpp>
 
 #include <boost/asio/buffer.hpp>
@@ -13,7 +14,7 @@
 
 namespace nodes {
 
-std::filesystem::path bin() { return NODES_BIN; }
+std::filesystem::path bin() { return support::program(""); }
 
 void write_file(const std::string& path, const std::string& content) { std::ofstream{path} << content; }
 std::uint16_t free_port() { return support::free_ports<1>()[0]; }

@@ -465,7 +465,7 @@ void model::obeys(actuator_account& a, const sent_message* sent, command_number 
 bool model::was_on_its_way(const actuator_account& a, const sent_message& sent, time changed, time limit) const {
     if (a.wire == nullptr || sent.arrived_at > changed) return false;
     return any_slave(a, [&](const ring_place& each) {
-        return world_.now() - std::max({changed, each.disturbed_at, each.unfrozen_at}) < limit;
+        return world_.now() - std::max({changed, each.disturbed_at, each.unfrozen_at, each.missed_at}) < limit;
     });
 }
 
@@ -770,8 +770,12 @@ std::optional<time> model::unreachable_since(std::uint8_t sender, const actuator
 void model::look_for_lost_holders(actuator_account& a) {
     for (auto& holder : a.holders) {
         const auto who = account_of(holder.id);
-        const auto heard = who ? network_.pulse_heard(senders_[*who].program->port(), a.port) : time{};
+        const auto from = who ? senders_[*who].program->port() : std::uint8_t{};
+        const auto heard = who ? network_.pulse_heard(from, a.port) : time{};
+        // A component that says nothing for 3 s is lost although its node is heard.
+        const auto spoke = who ? network_.component_heard(from, a.port) : time{};
         if (world_.now() - heard > std::chrono::milliseconds{1500} ||
+            world_.now() - spoke > std::chrono::milliseconds{2500} ||
             a.program->jumped_at() > std::min(heard, holder.since))
             holder.may_be_lost = true;
     }

@@ -46,6 +46,7 @@ class network final : public actor {
         users_.push_back(&user);
         cut_.assign(users_.size() * users_.size(), {});
         pulse_.assign(users_.size() * users_.size(), {});
+        component_.assign(users_.size() * users_.size(), {});
         return static_cast<std::uint8_t>(users_.size() - 1);
     }
     [[nodiscard]] std::size_t size() const noexcept { return users_.size(); }
@@ -71,6 +72,10 @@ class network final : public actor {
     /// When the last heartbeat got from one port to the other.
     [[nodiscard]] time pulse_heard(std::uint8_t from, std::uint8_t to) const noexcept {
         return pulse_[from * users_.size() + to];
+    }
+    /// The same for any message of a component other than the node manager.
+    [[nodiscard]] time component_heard(std::uint8_t from, std::uint8_t to) const noexcept {
+        return component_[from * users_.size() + to];
     }
 
     void on_event(std::uint8_t what, std::uint32_t argument) override {
@@ -99,6 +104,9 @@ class network final : public actor {
         if (code_of(message) != pulse_code) return false;
         const auto component = std::to_integer<unsigned>(message[5]);
         return component == 1 || component == 255;
+    }
+    [[nodiscard]] static bool is_of_component(std::span<const std::byte> message) noexcept {
+        return message.size() > 9 && std::to_integer<unsigned>(message[9]) != 1;
     }
 
     struct cut_state {
@@ -149,6 +157,7 @@ class network final : public actor {
     }
     void deliver(datagram& one) {
         if (is_pulse(one.content())) pulse_[one.from * users_.size() + one.to] = world_.now();
+        if (is_of_component(one.content())) component_[one.from * users_.size() + one.to] = world_.now();
         one.arrived = world_.now();
         if (!users_[one.to]->arrives(one)) give_back(one);
     }
@@ -179,7 +188,7 @@ class network final : public actor {
     world& world_;
     std::vector<port_user*> users_{};
     std::vector<cut_state> cut_{};
-    std::vector<time> pulse_{};
+    std::vector<time> pulse_{}, component_{};
     std::vector<std::unique_ptr<datagram>> all_{};
     std::vector<std::uint32_t> free_{};
 };

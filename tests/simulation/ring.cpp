@@ -74,6 +74,8 @@ void ring::send(bytes frame) {
     const bool is_lost = world_.faults.strikes(fault::frame_lost, 3'000);
     const bool before = is_lost && world_.faults.random(fault::frame_lost).below(2) == 0;
     if (is_lost) tell(0, ring_deed::frame_lost, before ? 0 : 1);
+    if (before)
+        for (auto& each : places_) each.missed_at = world_.now();
     if (before || frame.size() > ethercat::max_frame_size) return;
     if (free_.empty()) {
         free_.push_back(static_cast<std::uint32_t>(flights_.size()));
@@ -119,6 +121,7 @@ void ring::pass(std::span<std::byte> frame, std::size_t end) {
         if (at.arm != nullptr && at.arm->take_aborted()) at.disturbed_at = world_.now();
         look(at);
     }
+    for (std::size_t k = count; k != order_.size(); ++k) places_[order_[k]].missed_at = world_.now();
     if (!has_clocks_ || count != static_cast<std::size_t>(first_unreachable - order_.begin())) return;
     for (std::size_t k = count; k-- > 1;) // back past the slaves before it
         places_[order_[k - 1]].unit->slave().frame_returned(

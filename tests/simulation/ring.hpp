@@ -70,6 +70,7 @@ struct ring_place {
     std::uint8_t last_reply_recount{}; ///< a message that is asked for again is the same
     time unfrozen_at{}, restarted_at{}, passed_at{};
     time disturbed_at{}; ///< when something last happened to it that may delay a stop order
+    time missed_at{};    ///< when a frame was last lost before it
     ethercat::al_state told_state{};
     std::optional<time> unreachable_since{}, left_state_since{}, taken_since{}, unknown_since{};
 };

@@ -88,8 +88,13 @@ void show_violation(settings what, const run_result& first, const options& chose
     if (chosen.shrinks) what = shrink(what, *first.broken);
     const auto again = chosen.shrinks ? run(what) : first;
     std::fputs(story_text(what, again, chosen.whole).c_str(), stdout);
-    std::printf("again: scripts/simulate --seed %llu --seconds %lld\n", static_cast<unsigned long long>(what.seed),
-                static_cast<long long>(what.length / std::chrono::seconds{1}));
+    std::string without;
+    for (std::size_t i = 0; i != fault_count; ++i)
+        if ((chosen.each.faults & only(static_cast<fault>(i))) == 0)
+            without.append(" --without ").append(fault_names[i]);
+    std::printf("again: scripts/simulate --system %s --seed %llu --seconds %lld%s\n",
+                std::string{name_of(chosen.each.system)}.c_str(), static_cast<unsigned long long>(what.seed),
+                static_cast<long long>(chosen.each.length / std::chrono::seconds{1}), without.c_str());
 }
 
 void show_progress(totals& all, wall::time_point begin) {
@@ -174,7 +179,7 @@ int start(int argc, char** argv) {
         ("seed", po::value<std::uint64_t>(), "only this seed")
         ("from", po::value<std::uint64_t>(), "the first seed; without it a random one, which is printed")
         ("seconds", po::value<long>()->default_value(120), "simulated seconds of each seed")
-        ("system", po::value<std::string>()->default_value("any"), "jaus, mailbox, cyclic, mixed, drives, robot or clocks; any: the seed says")
+        ("system", po::value<std::string>()->default_value("any"), "jaus, mailbox, cyclic, mixed, drives, robot, clocks or joints; any: the seed says")
         ("jobs", po::value<unsigned>()->default_value(std::max(std::thread::hardware_concurrency(), 1U)), "threads")
         ("only", po::value<std::vector<std::string>>(), "only this kind of fault; may be given several times")
         ("without", po::value<std::vector<std::string>>(), "without this kind of fault")
@@ -202,7 +207,8 @@ int start(int argc, char** argv) {
                    .jobs = std::max(values["jobs"].as<unsigned>(), 1U),
                    .each = {.length = std::chrono::seconds{values["seconds"].as<long>()}, .faults = faults_of(values)}};
     const auto system = system_of(values["system"].as<std::string>());
-    if (!system) throw std::runtime_error{"--system is any, jaus, mailbox, cyclic, mixed, drives, robot or clocks"};
+    if (!system)
+        throw std::runtime_error{"--system is any, jaus, mailbox, cyclic, mixed, drives, robot, clocks or joints"};
     chosen.each.system = *system;
     if (values.count("seed") != 0) {
         chosen.first_seed = values["seed"].as<std::uint64_t>();

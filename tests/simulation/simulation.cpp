@@ -1,6 +1,7 @@
 #include "simulation/simulation.hpp"
 
 #include "simulation/bridge_program.hpp"
+#include "simulation/joint_system.hpp"
 #include "simulation/memory_watch.hpp"
 #include "simulation/operators.hpp"
 #include "simulation/robot.hpp"
@@ -197,8 +198,8 @@ bool is_chatter(deed what) {
 } // namespace
 
 namespace {
-constexpr std::array<std::string_view, 1 + system_count> system_names{"any",   "jaus",   "mailbox", "cyclic",
-                                                                      "mixed", "drives", "robot",   "clocks"};
+constexpr std::array<std::string_view, 1 + system_count> system_names{"any",    "jaus",  "mailbox", "cyclic", "mixed",
+                                                                      "drives", "robot", "clocks",  "joints"};
 }
 
 std::string_view name_of(system_kind kind) { return system_names[static_cast<std::size_t>(kind)]; }
@@ -216,6 +217,9 @@ run_result run(const settings& what) {
     if (kind == system_kind::any) kind = static_cast<system_kind>(1 + w.stream(2000).below(system_count));
     if (kind == system_kind::jaus) {
         const jaus_system system{w, what};
+        w.run(what.length);
+    } else if (kind == system_kind::joints) {
+        const auto system = make_joint_system(w, joint_trial_of(what.seed));
         w.run(what.length);
     } else {
         const bridge_system system{w, what, kind};

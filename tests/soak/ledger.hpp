@@ -61,6 +61,7 @@ class ledger {
 
     struct balance {
         std::size_t sent{}, acknowledged{}, refused{}, timed_out{},
+            control_lost{},           ///< sent before control went to another: executed or not
             without_outcome{};        ///< each effort is in one of the last
         std::size_t lost{};           ///< acknowledged, and not applied
         std::size_t twice{};          ///< applied more than once
@@ -94,6 +95,7 @@ class ledger {
                 ++all.refused;
                 if (times != 0) ++all.refused_done;
                 break;
+            case jaus::delivered::control_lost: ++all.control_lost; break;
             case jaus::delivered::timed_out: ++all.timed_out; break;
             }
         }

@@ -9,6 +9,8 @@
 
 #include <boost/asio/steady_timer.hpp>
 
+#include <utility>
+
 namespace soak {
 
 /// One who wants to control the robot. Commands are repeated for 1.5 s, which outlasts the stalls of a busy machine.
@@ -45,6 +47,7 @@ struct commander {
     };
     std::vector<sent_effort> efforts = std::vector<sent_effort>(65536);
     std::optional<jaus::delivered> released{}; ///< what became of the last Release Component Control
+    bool has_lost_efforts{};                   ///< since the last tick, by the loss of control
 };
 
 /// Commands 1000 efforts each second, and plays the same scene again and again: control is taken, lost to the
@@ -101,6 +104,9 @@ class operator_end : public end {
 
     void tick() {
         const auto now = net::jaus_node::now();
+        for (auto* who : {&operator_, &supervisor_})
+            if (std::exchange(who->has_lost_efforts, false) && who->control.state() == state::held)
+                failures_.push_back("an effort ended with the loss of control, which is held");
         for (; due_ <= now; due_ += 1ms)
             if (!finishing_) command(now);
         play(now);
@@ -131,6 +137,7 @@ class operator_end : public end {
         const auto& [number, at] = who.efforts[m.header.sequence_number];
         book_.delivered(number, what);
         ++delivered;
+        if (what == jaus::delivered::control_lost) who.has_lost_efforts = true;
         if (what != jaus::delivered::acknowledged) return;
         const auto took = net::jaus_node::now() - at;
         latency.add(took);

@@ -183,8 +183,9 @@ class run {
     void print(const findings& found) const {
         const auto& b = found.efforts;
         std::printf("\nefforts: %zu sent (%llu repeats came to the robot), %zu acknowledged, %zu refused for want of "
-                    "control, %llu held back\n",
-                    b.sent, number(found.repeated), b.acknowledged, b.refused, number(operator_->held_back));
+                    "control, %zu ended with the loss of control, %llu held back\n",
+                    b.sent, number(found.repeated), b.acknowledged, b.refused, b.control_lost,
+                    number(operator_->held_back));
         std::printf("  acknowledged after      p50 %.3f ms, p99 %.3f ms, p99.9 %.3f ms, max %.3f ms\n",
                     ms(operator_->latency.quantile(0.5)), ms(operator_->latency.quantile(0.99)),
                     ms(operator_->latency.quantile(0.999)), ms(operator_->latency.max()));

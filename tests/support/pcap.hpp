@@ -1,6 +1,7 @@
 // Reads a capture file of the classic pcap format, little-endian, microseconds, Ethernet.
 #pragma once
 
+#include "support/paths.hpp"
 #include <jauscat/wire/wire.hpp>
 
 #include <cstddef>
@@ -50,7 +51,7 @@ namespace jauscat::test {
 /// The frames of a capture in the test data folder, complete and in order. Throws when the file is not what it should
 /// be.
 inline std::vector<std::vector<std::byte>> read_pcap(const std::string& name) {
-    std::ifstream file{std::string{JAUSCAT_TEST_DATA "/"} + name, std::ios::binary};
+    std::ifstream file{support::test_data(name), std::ios::binary};
     if (!file) throw std::runtime_error{"no such capture: " + name};
     std::vector<std::byte> bytes;
     for (std::istreambuf_iterator<char> at{file}, end; at != end; ++at) bytes.push_back(static_cast<std::byte>(*at));

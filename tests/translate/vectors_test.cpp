@@ -2,6 +2,7 @@
 #include "plain_translator.hpp"
 #include "samples.hpp"
 #include "support/catch.hpp"
+#include "support/paths.hpp"
 
 #include <fstream>
 #include <map>
@@ -13,7 +14,7 @@ namespace {
 
 /// The messages of the vector file: all of its "hex" members.
 std::vector<std::vector<std::byte>> golden_messages() {
-    std::ifstream file{JAUSCAT_TEST_DATA "/ra_vectors.jsonl"};
+    std::ifstream file{support::test_data("ra_vectors.jsonl")};
     std::vector<std::vector<std::byte>> messages;
     for (std::string line; std::getline(file, line);) {
         constexpr std::string_view member = "\"hex\": \"";

@@ -86,3 +86,65 @@ TEMPLATE_TEST_CASE("a clamped value encodes unless it holds NaN", "", point, mix
     REQUIRE(refused > 300);
     REQUIRE(encoded > 300);
 }
+
+namespace selected_samples {
+
+struct level {
+    double value{};
+    friend constexpr bool operator==(const level&, const level&) = default;
+};
+struct inner {
+    double chosen{}; // in the form that the outer structure selects
+    std::array<level, 2> levels{};
+    friend constexpr bool operator==(const inner&, const inner&) = default;
+};
+struct outer {
+    std::uint8_t type{};
+    double chosen{};
+    std::variant<std::monostate, level> structure{};
+    std::optional<level> present{};
+    inner part{};
+    wire::inline_list<level, 3> list{};
+    friend constexpr bool operator==(const outer&, const outer&) = default;
+};
+
+} // namespace selected_samples
+
+template <> struct jauscat::wire::schema<selected_samples::level> {
+    using T = selected_samples::level;
+    using type = layout<field<&T::value, scaled<i16le, samples::signed_percent>>>;
+};
+template <> struct jauscat::wire::schema<selected_samples::inner> {
+    using T = selected_samples::inner;
+    using type = layout<selected<&T::chosen, by<&selected_samples::outer::type>, when<1, scaled<u8, samples::percent>>,
+                                 when<2, scaled<i16le, samples::signed_percent>>>,
+                        array<&T::levels>>;
+};
+template <> struct jauscat::wire::schema<selected_samples::outer> {
+    using T = selected_samples::outer;
+    using type = layout<field<&T::type, u8>,
+                        selected<&T::chosen, by<&T::type>, when<1, scaled<u8, samples::percent>>,
+                                 when<2, scaled<i16le, samples::signed_percent>>>,
+                        selected<&T::structure, by<&T::type>, when<1>, when<2, selected_samples::level>>,
+                        presence<u8, nested<&T::present>>, nested<&T::part>, repeated<&T::list, count<"n", u8>>>;
+};
+
+TEST_CASE("clamp limits selected values to the range of their form, and what is in structures of every kind") {
+    using selected_samples::outer;
+    outer wild{.type = 2, .chosen = -300, .structure = selected_samples::level{300}, .present = {{300}}};
+    wild.part = {.chosen = -300, .levels = {{{300}, {-300}}}};
+    REQUIRE(wild.list.push_back({300}));
+    outer expected{.type = 2, .chosen = -100, .structure = selected_samples::level{100}, .present = {{100}}};
+    expected.part = {.chosen = -100, .levels = {{{100}, {-100}}}};
+    REQUIRE(expected.list.push_back({100}));
+    CHECK(encode_error(wild) == errc::out_of_range);
+    CHECK(clamped(wild) == expected);
+    CHECK(encode_error(clamped(wild)) == errc::ok);
+    wild.type = 1;
+    wild.structure = {};
+    CHECK(clamped(wild).chosen == 0);
+    CHECK(clamped(wild).part.chosen == 0);
+    CHECK(encode_error(clamped(wild)) == errc::ok);
+    wild.type = 9; // no case: it does not encode
+    CHECK(clamped(wild).chosen == -300);
+}

@@ -199,3 +199,61 @@ TEMPLATE_TEST_CASE("64-bit raw values keep the precision of a double", "", jaus:
         REQUIRE(second == Approx(first).epsilon(1e-15).margin((TestType::max - TestType::min) * 1e-15));
     }
 }
+
+namespace {
+
+template <int> struct uneven_range;
+#define UNEVEN_RANGE(n, low, high)                                                                                     \
+    template <> struct uneven_range<n> {                                                                               \
+        static constexpr double min = low, max = high;                                                                 \
+        [[maybe_unused]] static constexpr std::string_view unit = "m";                                                 \
+    };
+UNEVEN_RANGE(0, -0.1, 0.3)
+UNEVEN_RANGE(1, -3.14159265358979, 3.14159265358979)
+UNEVEN_RANGE(2, -1.1, 0.7)
+UNEVEN_RANGE(3, 0.1, 0.7)
+UNEVEN_RANGE(4, -10000.3, 35000.7)
+UNEVEN_RANGE(5, -17.9, -5.3)
+UNEVEN_RANGE(6, -1e287, 1e-300)
+UNEVEN_RANGE(7, 1e15, 1e15 + 2)
+#undef UNEVEN_RANGE
+
+/// At both limits of the codec and of its range, and for many doubles to both sides of them: what is stored loads as a
+/// value that is at most a step away, and nothing outside of the limits is stored.
+template <class Codec> void keeps_its_limits() {
+    using range = typename Codec::range_type;
+    const double step = (range::max - range::min) / (std::pow(2.0, 8.0 * Codec::size) - 2);
+    for (const double limit : {Codec::lowest, range::min, range::max, Codec::highest})
+        for (const double way : {-infinity, infinity}) {
+            double real = limit;
+            for (int i = 0; i != 200; ++i, real = std::nextafter(real, way)) {
+                std::array<std::byte, Codec::size> bytes{};
+                const bool is_legal = real >= Codec::lowest && real <= Codec::highest;
+                REQUIRE(Codec::store(bytes.data(), real) == (is_legal ? errc::ok : errc::out_of_range));
+                if (!is_legal) continue;
+                double loaded{};
+                REQUIRE(Codec::load(bytes.data(), loaded) == errc::ok);
+                const double rounding = 4 * std::abs(std::nextafter(limit, infinity) - limit);
+                CAPTURE(real, loaded);
+                REQUIRE(std::abs(loaded - real) <= step + 8 * rounding + (range::max - range::min) * 1e-15);
+            }
+        }
+}
+template <class Raw> void keeps_all_limits() {
+    keeps_its_limits<wire::scaled<Raw, uneven_range<0>>>();
+    keeps_its_limits<wire::scaled<Raw, uneven_range<1>>>();
+    keeps_its_limits<wire::scaled<Raw, uneven_range<2>>>();
+    keeps_its_limits<wire::scaled<Raw, uneven_range<3>>>();
+    keeps_its_limits<wire::scaled<Raw, uneven_range<4>>>();
+    keeps_its_limits<wire::scaled<Raw, uneven_range<5>>>();
+    keeps_its_limits<wire::scaled<Raw, uneven_range<6>>>();
+    keeps_its_limits<wire::scaled<Raw, uneven_range<7>>>();
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("at and around both limits a scaled value is stored as the limit's raw value or refused", "",
+                   wire::u8, wire::i8, wire::u16le, wire::i16le, wire::u16be, wire::i16be, wire::u32le, wire::i32le,
+                   wire::u32be, wire::i32be, wire::u64le, wire::i64le, wire::u64be, wire::i64be) {
+    keeps_all_limits<TestType>();
+}

@@ -183,7 +183,8 @@ class communicator {
         switch (what) {
         case jaus::delivered::acknowledged: return "acknowledged";
         case jaus::delivered::refused: return "refused";
-        case jaus::delivered::timed_out: return "timed_out";
+        case jaus::delivered::timed_out:
+        case jaus::delivered::control_lost: return "timed_out";
         }
         return "unknown";
     }

@@ -1,5 +1,6 @@
 #include "ecat/arguments.hpp"
 
+#include "support/output.hpp"
 #include <jauscat/version.hpp>
 
 #include <boost/program_options.hpp>
@@ -221,7 +222,7 @@ po::options_description options_of(const command_help* about) {
             std::cout << "  " << each.name << std::string(10 - each.name.size(), ' ') << each.summary << "\n";
         std::cout << tail << "\n" << options_of(nullptr);
     }
-    std::exit(success);
+    std::exit(example::with_output("jauscat-ecat", success));
 }
 
 std::uint64_t number(const std::string& text, std::uint64_t least, std::uint64_t most, const std::string& option) {
@@ -302,7 +303,7 @@ arguments parse(int argc, char** argv) {
     if (values.count("version") != 0) {
         std::cout << "jauscat-ecat (JausCat) " << JAUSCAT_VERSION_MAJOR << '.' << JAUSCAT_VERSION_MINOR << '.'
                   << JAUSCAT_VERSION_PATCH << "\n";
-        std::exit(success);
+        std::exit(example::with_output("jauscat-ecat", success));
     }
     if (!name.empty() && about == nullptr)
         throw usage_error{"'" + name + "' is no command: jauscat-ecat --help lists them"};

@@ -1,5 +1,6 @@
 // jauscat-ecat: looks at the slaves of an EtherCAT bus.
 #include "ecat/arguments.hpp"
+#include "support/output.hpp"
 
 #include <array>
 #include <atomic>
@@ -37,7 +38,7 @@ int main(int argc, char** argv) {
     ::sigaction(SIGINT, &action, nullptr);
     ::sigaction(SIGTERM, &action, nullptr);
     try {
-        return ecat::run(ecat::parse(argc, argv));
+        return example::with_output("jauscat-ecat", ecat::run(ecat::parse(argc, argv)));
     } catch (const ecat::usage_error& error) {
         std::cerr << "jauscat-ecat: " << error.what() << "\nTry 'jauscat-ecat --help'.\n";
         return error.code();

@@ -153,6 +153,9 @@ const char* code_text(ethercat::object_code code) {
     return "other";
 }
 
+/// Entries that `sdos` describes at most: a faulty slave may state 256 for each of 65,536 objects.
+constexpr std::size_t max_entries = 16'384;
+
 /// A word such as `0x6000-0x6FFF`; all objects without one.
 std::pair<std::uint64_t, std::uint64_t> index_range(const arguments& given) {
     if (given.words.empty()) return {0, 0xFFFF};
@@ -186,6 +189,7 @@ int sdos(const arguments& given) {
         }
         std::erase_if(indices, [first = first, last = last](std::uint16_t i) { return i < first || i > last; });
         progress_line progress;
+        std::size_t entry_count = 0;
         for (std::size_t i = 0; i != indices.size(); ++i) {
             const auto index = indices[i];
             progress.show("object " + hex(index, 4) + ", " + std::to_string(i + 1) + " of " +
@@ -199,6 +203,11 @@ int sdos(const arguments& given) {
                 note(error.what());
                 continue;
             }
+            entry_count += object.is.highest_subindex + std::size_t{1};
+            if (entry_count > max_entries)
+                throw failure{on.name_of(position) + ": object " + hex(index, 4) + ": the slave states more than " +
+                              std::to_string(max_entries) +
+                              " entries: name fewer objects, such as jauscat-ecat sdos 0x6000-0x6FFF"};
             list entries;
             for (unsigned subindex = 0; subindex <= object.is.highest_subindex; ++subindex) {
                 const auto sub = static_cast<std::uint8_t>(subindex);

@@ -2,6 +2,8 @@
 
 #include "ecat/mailbox.hpp"
 #include "ecat/sii.hpp"
+#include "ecat/value.hpp"
+#include <jauscat/ethercat/master/sii_survey.hpp>
 
 #include <algorithm>
 #include <map>
@@ -50,6 +52,14 @@ process_objects from_objects(ring& on, std::uint16_t position) {
     constexpr std::uint16_t manager_types = 0x1C00, assignments = 0x1C10;
     constexpr std::uint8_t outputs = 3, inputs = 4;
     coe_mailbox mailbox{on, position};
+    std::uint64_t objects = 0;
+    const auto take = [&](std::uint64_t more) {
+        objects += more;
+        if (objects > ethercat::max_process_objects)
+            throw failure{on.name_of(position) + ": object " + hex(assignments, 4) +
+                          " and up: its process data have more than " + std::to_string(ethercat::max_process_objects) +
+                          " PDOs and entries: check the slave"};
+    };
     process_objects made{.source = "coe"};
     auto managers = static_cast<std::uint8_t>(std::min<std::uint64_t>(mailbox.number(manager_types, 0), 32));
     const bool are_typed = managers != 0;
@@ -59,16 +69,19 @@ process_objects from_objects(ring& on, std::uint16_t position) {
                                     : std::uint64_t{manager == 2 ? outputs : inputs};
         if (type != outputs && type != inputs) continue;
         const auto assignment = static_cast<std::uint16_t>(assignments + manager);
-        const auto pdos = mailbox.number(assignment, 0);
-        for (unsigned i = 1; i <= pdos && i <= 255; ++i) {
+        const auto pdos = std::min<std::uint64_t>(mailbox.number(assignment, 0), 255);
+        take(pdos);
+        for (unsigned i = 1; i <= pdos; ++i) {
+            if (stop_requested()) throw failure{"interrupted"};
             const auto index = static_cast<std::uint16_t>(mailbox.number(assignment, static_cast<std::uint8_t>(i)));
             if (index == 0) continue;
             assigned_pdo one{.index = index,
                              .name = name_of_object(mailbox, index),
                              .is_output = type == outputs,
                              .sync_manager = manager};
-            const auto entries = mailbox.number(index, 0);
-            for (unsigned k = 1; k <= entries && k <= 255; ++k) {
+            const auto entries = std::min<std::uint64_t>(mailbox.number(index, 0), 255);
+            take(entries);
+            for (unsigned k = 1; k <= entries; ++k) {
                 if (stop_requested()) throw failure{"interrupted"};
                 const auto mapped = mailbox.number(index, static_cast<std::uint8_t>(k));
                 mapped_entry entry{.index = static_cast<std::uint16_t>(mapped >> 16),

@@ -1,5 +1,7 @@
 #include "ecat/value.hpp"
 
+#include "support/output.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
@@ -65,7 +67,8 @@ std::string printable(std::string_view text) {
 }
 
 void print_json(const value& v, bool compact) {
-    std::cout << to_json(v).dump(compact ? -1 : 2, ' ', false, json::error_handler_t::replace) << "\n" << std::flush;
+    std::cout << to_json(v).dump(compact ? -1 : 2, ' ', false, json::error_handler_t::replace) << "\n";
+    example::require_output();
 }
 
 std::string table_text(const std::vector<record>& rows, const std::vector<std::string_view>& hidden) {
@@ -105,7 +108,8 @@ std::string table_text(const std::vector<record>& rows, const std::vector<std::s
 }
 
 void print_table(const std::vector<record>& rows, const std::vector<std::string_view>& hidden) {
-    std::cout << table_text(rows, hidden) << std::flush;
+    std::cout << table_text(rows, hidden);
+    example::require_output();
 }
 
 void print_record(const record& members, const std::string& indent) {
@@ -134,7 +138,7 @@ void print_record(const record& members, const std::string& indent) {
             std::cout << indent << heading << std::string(width - key.size() + 2, ' ') << member.text() << "\n";
         }
     }
-    std::cout << std::flush;
+    example::require_output();
 }
 
 } // namespace ecat

@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <unistd.h>
+#include <utility>
 
 namespace ecat {
 
@@ -80,22 +82,58 @@ std::vector<input_area> areas_of(ring& on, std::uint16_t position) {
     return made;
 }
 
+bool has_inputs(const ethercat::al_status& al) { return al.state == al_state::safe_op || al.state == al_state::op; }
+
+/// `SAFE-OP ERROR (0x001B: SyncManager watchdog)`
+std::string explained(const ethercat::al_status& al) {
+    const auto code = al.error ? al_code_text(al) : std::string{};
+    return state_text(al) + (code.empty() ? "" : " (" + code + ")");
+}
+
+/// The states of the slaves, as the last look has found them. Each change is said on standard error.
+class watched_states {
+  public:
+    void add(std::uint16_t position, const ethercat::al_status& al) { all_.emplace(position, al); }
+    [[nodiscard]] const ethercat::al_status& of(std::uint16_t position) const { return all_.at(position); }
+    void look(ring& on) {
+        for (auto& [position, last] : all_) {
+            const auto now = on.read(position, registers::al_status);
+            const auto before = std::exchange(last, now);
+            const bool is_same =
+                now.state == before.state && now.error == before.error && (!now.error || now.code == before.code);
+            if (is_same) continue;
+            note(on.name_of(position) + ": it is in " + explained(now) + ", it was in " + state_text(before) +
+                 (has_inputs(now) ? "" : ": its inputs are not valid"));
+        }
+    }
+    [[nodiscard]] bool all_have_inputs() const {
+        return std::ranges::all_of(all_, [](const auto& each) { return has_inputs(each.second); });
+    }
+
+  private:
+    std::map<std::uint16_t, ethercat::al_status> all_{};
+};
+
 /// One look: a row for each entry.
-std::vector<record> look(ring& on, const std::vector<input_area>& areas) {
+std::vector<record> look(ring& on, const std::vector<input_area>& areas, const watched_states& states) {
     std::vector<record> rows;
     for (const auto& area : areas) {
-        const auto data = inputs_of(on, area);
+        const auto& al = states.of(area.position);
+        const bool is_valid = has_inputs(al);
+        const auto data = is_valid ? inputs_of(on, area) : bytes{};
         for (const auto& each : area.entries) {
             const auto raw = bits_of(data, each.bit_offset, each.bits);
             const auto* const type = type_of(each.type);
             const auto& used = type != nullptr ? *type : guessed_type(raw.size() * 8);
-            rows.push_back({{"position", area.position},
-                            {"object", place_text(each.index, each.subindex)},
-                            {"index", hex_value(each.index, 4)},
-                            {"subindex", each.subindex},
-                            {"name", each.name},
-                            {"type", std::string{used.name}},
-                            {"value", to_value(used, raw)}});
+            rows.push_back(
+                {{"position", area.position},
+                 {"state", state_text(al)},
+                 {"object", place_text(each.index, each.subindex)},
+                 {"index", hex_value(each.index, 4)},
+                 {"subindex", each.subindex},
+                 {"name", each.name},
+                 {"type", std::string{used.name}},
+                 {"value", is_valid ? to_value(used, raw) : value{std::monostate{}, "not valid: " + state_text(al)}}});
         }
     }
     return rows;
@@ -107,11 +145,13 @@ int watch(const arguments& given) {
     ring on{given.link};
     on.guard(intent::change);
     std::vector<input_area> areas;
+    watched_states states;
     bool is_any_active = false;
     for (const auto position : chosen_slaves(given, on)) {
-        const auto state = on.states()[position].al.state;
-        if (state != al_state::safe_op && state != al_state::op) continue;
+        const auto& al = on.states()[position].al;
+        if (!has_inputs(al)) continue;
         is_any_active = true;
+        states.add(position, al);
         std::ranges::move(areas_of(on, position), std::back_inserter(areas));
     }
     if (!is_any_active)
@@ -124,19 +164,20 @@ int watch(const arguments& given) {
     const auto end = jauscat::net::now() + std::chrono::duration_cast<std::chrono::nanoseconds>(
                                                std::chrono::duration<double>{given.seconds.value_or(1e8)});
     for (auto due = jauscat::net::now(); !stop_requested();) {
-        const auto rows = look(on, areas);
+        states.look(on);
+        const auto rows = look(on, areas, states);
         if (given.is_json) {
             print_json(list{rows.begin(), rows.end()}, true);
         } else {
             if (is_terminal) std::cout << "\033[H\033[J";
-            print_table(rows, {"index", "subindex"});
+            print_table(rows, {"state", "index", "subindex"});
             std::cout << (is_terminal ? "Ctrl-C ends\n" : "\n") << std::flush;
         }
         due = std::max(due + period, jauscat::net::now());
         if (due >= end) break;
         sleep_until(due);
     }
-    return success;
+    return states.all_have_inputs() ? success : failed;
 }
 
 } // namespace ecat

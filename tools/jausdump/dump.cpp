@@ -1,6 +1,7 @@
 #include "dump.hpp"
 
 #include "hex_line.hpp"
+#include "support/output.hpp"
 #include <jauscat/jaus/message/framing.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/text/annotate.hpp>
@@ -204,6 +205,7 @@ void dump::tell(const record& message) {
         if (!std::exchange(heading_printed_, true)) std::cout << heading(options_.colours);
         std::cout << to_text(message, options_.colours, options_.hex);
     }
+    if (!std::cout) example::require_output(); // not only at the end of what never ends
 }
 
 bool dump::finish() {
@@ -213,7 +215,7 @@ bool dump::finish() {
         std::cout << summary_.text(options_.colours);
     else if (options_.summary_only)
         std::cout << summary_.object().dump() << "\n";
-    std::cout.flush();
+    example::require_output();
     return !summary_.something_did_not_decode();
 }
 

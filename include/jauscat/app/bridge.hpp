@@ -12,6 +12,7 @@
 namespace jauscat {
 namespace bridging {
 class any_exchange;
+struct drive_fault;
 class process_part;
 struct observer;
 struct slave_identity;
@@ -38,8 +39,8 @@ using exchange_maker = std::unique_ptr<bridging::any_exchange> (*)(const bridgin
 /// others as objects. Its actuator is brought to rest, by a Set Wrench Effort of zeros, when the component leaves
 /// Ready, when its controller is lost, when the slave was away, and when node, bridge or bus end; in an emergency the
 /// slave gets Set Emergency. A stop order overtakes all else and is repeated until the slave confirms it. While the
-/// slave does not answer, the component is in Failure; docs/safety.md has the contract. Losses, refused stop orders and
-/// emergencies are logged by the node and called back.
+/// slave does not answer, or a drive behind the component has a fault, the component is in Failure; docs/safety.md has
+/// the contract. Losses, faults of drives, refused stop orders and emergencies are logged by the node and called back.
 ///
 /// The bridge works while its node runs. The first slave gets the number of the node as its station address, each
 /// further one a free address from 254 down; a slave that takes its JAUS ID from its station address then has that
@@ -84,6 +85,12 @@ class bridge {
     /// Called for each emergency that a slave has sent.
     JAUSCAT_DECL void
     when_emergency(std::function<void(const slave_choice& slave, const ethercat::coe_emergency& emergency)> f);
+    /// Called for each fault of a drive behind a component (<jauscat/bridge/process_part.hpp>): the component is in
+    /// Failure. `fault.slave` is the drive's index among the slaves that `serve` got.
+    JAUSCAT_DECL void
+    when_faulted(std::function<void(const jaus::address& component, const bridging::drive_fault& fault)> f);
+    /// Called when no drive behind a component has a fault any more.
+    JAUSCAT_DECL void when_fault_ended(std::function<void(const jaus::address& component)> f);
     /// All slaves have confirmed all stop orders, also lost ones. After the end of the node: those that answered then
     /// have confirmed that they are at rest.
     [[nodiscard]] JAUSCAT_DECL bool at_rest() const;

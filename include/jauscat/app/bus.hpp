@@ -58,7 +58,7 @@ class bus {
     template <class Token = default_token> auto async_start(Token&& token = Token{}) {
         return boost::asio::async_initiate<Token, void(app::error_code)>(
             [](auto handler, bus* self) {
-                self->start(app::make_operation<>(std::move(handler), app::no_conversion{}, self->context()));
+                self->start(app::make_operation<>(std::move(handler), app::no_conversion{}, self->executor()));
             },
             token, this);
     }
@@ -94,6 +94,7 @@ class bus {
 
   private:
     JAUSCAT_DECL void start(app::operation_ptr<> done);
+    [[nodiscard]] boost::asio::any_io_executor executor() const noexcept { return context().get_executor(); }
 
     std::shared_ptr<app::bus_state> state_;
 };

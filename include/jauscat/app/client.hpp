@@ -133,7 +133,11 @@ namespace app {
 struct subscription_state;
 struct control_state;
 
-JAUSCAT_DECL boost::asio::io_context& context_of(component_state&) noexcept;
+/// Calls the handlers of operations that have no executor of their own; without the state behind a handle, and without
+/// its node, that of the system.
+JAUSCAT_DECL boost::asio::any_io_executor executor_of(const std::shared_ptr<component_state>&) noexcept;
+JAUSCAT_DECL boost::asio::any_io_executor executor_of(const std::shared_ptr<subscription_state>&) noexcept;
+JAUSCAT_DECL boost::asio::any_io_executor executor_of(const std::shared_ptr<control_state>&) noexcept;
 JAUSCAT_DECL void begin_send(const std::shared_ptr<component_state>&, const jaus::address& to, std::uint16_t code,
                              std::vector<std::byte> body, const operation_ptr<>& done);
 /// The command codes of a query and its report.
@@ -161,8 +165,6 @@ JAUSCAT_DECL void begin_lost(const std::shared_ptr<control_state>&, const operat
 JAUSCAT_DECL void end(const std::shared_ptr<control_state>&) noexcept;
 JAUSCAT_DECL void cancel(const std::shared_ptr<component_state>&);
 JAUSCAT_DECL std::shared_ptr<component_state> component_of(const control_state&) noexcept;
-JAUSCAT_DECL boost::asio::io_context& context_of(const subscription_state&) noexcept;
-JAUSCAT_DECL boost::asio::io_context& context_of(const control_state&) noexcept;
 JAUSCAT_DECL std::uint64_t dropped_of(const subscription_state&) noexcept;
 
 /// Makes the message of received bytes.

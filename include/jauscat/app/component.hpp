@@ -66,7 +66,8 @@ class component {
     JAUSCAT_DECL void changed();
 
     /// Called when the actuators must come to rest: on a change to any other state than Ready, when control ends or
-    /// passes to another controller, and at the end of component or node.
+    /// passes to another controller, when a sender without control is lost whose motion command is in force, and at the
+    /// end of component or node.
     JAUSCAT_DECL void when_stopped(std::function<void()> f);
     /// Called when the state becomes Ready: from now on motion commands are obeyed.
     JAUSCAT_DECL void when_ready(std::function<void()> f);
@@ -135,7 +136,7 @@ class component {
                const control_options& how) {
                 app::begin_control(state, whom, how,
                                    app::make_operation<std::shared_ptr<app::control_state>>(
-                                       std::move(handler), app::handled_as<control>{}, app::context_of(*state)));
+                                       std::move(handler), app::handled_as<control>{}, app::executor_of(state)));
             },
             token, state_, of, options);
     }
@@ -150,7 +151,7 @@ class component {
                 app::begin_connect(
                     state, whom, jaus::command_code_of<Report>, how,
                     app::make_operation<std::shared_ptr<app::subscription_state>>(
-                        std::move(handler), app::handled_as<subscription<Report>>{}, app::context_of(*state)));
+                        std::move(handler), app::handled_as<subscription<Report>>{}, app::executor_of(state)));
             },
             token, state_, to, options);
     }
@@ -166,7 +167,7 @@ class component {
                // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
                std::vector<std::byte> request, bool is_good) {
                 auto done = app::make_operation<std::shared_ptr<app::subscription_state>>(
-                    std::move(handler), app::handled_as<subscription<Report>>{}, app::context_of(*state));
+                    std::move(handler), app::handled_as<subscription<Report>>{}, app::executor_of(state));
                 if (!is_good) return done->complete(node_errc::not_encodable, nullptr);
                 app::begin_event(state, whom, std::move(request), connect_options{}.max_waiting, done);
             },
@@ -180,7 +181,7 @@ class component {
             [](auto handler, const std::shared_ptr<app::component_state>& state, const find_options& what) {
                 app::begin_find(state, what,
                                 app::make_operation<std::vector<found_component>>(
-                                    std::move(handler), app::no_conversion{}, app::context_of(*state)));
+                                    std::move(handler), app::no_conversion{}, app::executor_of(state)));
             },
             token, state_, options);
     }
@@ -310,7 +311,7 @@ auto component::async_send(const jaus::address& to, const T& message, Token&& to
         [](auto handler, const std::shared_ptr<app::component_state>& state, const jaus::address& whom,
            // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
            std::vector<std::byte> encoded, bool is_good) {
-            auto done = app::make_operation<>(std::move(handler), app::no_conversion{}, app::context_of(*state));
+            auto done = app::make_operation<>(std::move(handler), app::no_conversion{}, app::executor_of(state));
             if (!is_good) return done->complete(node_errc::not_encodable);
             app::begin_send(state, whom, jaus::command_code_of<T>, std::move(encoded), done);
         },
@@ -324,7 +325,7 @@ auto component::async_send(const jaus::address& to, std::uint16_t command_code, 
            // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
            std::uint16_t code, std::vector<std::byte> encoded) {
             app::begin_send(state, whom, code, std::move(encoded),
-                            app::make_operation<>(std::move(handler), app::no_conversion{}, app::context_of(*state)));
+                            app::make_operation<>(std::move(handler), app::no_conversion{}, app::executor_of(state)));
         },
         token, state_, to, command_code, std::vector<std::byte>(body.begin(), body.end()));
 }
@@ -336,7 +337,7 @@ auto component::async_ask(const jaus::address& of, std::uint16_t command_code, a
         [](auto handler, const std::shared_ptr<app::component_state>& state, const jaus::address& whom,
            // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
            std::uint16_t code, std::vector<std::byte> encoded, const ask_options& how) {
-            auto done = app::make_operation<app::bytes>(std::move(handler), app::copied{}, app::context_of(*state));
+            auto done = app::make_operation<app::bytes>(std::move(handler), app::copied{}, app::executor_of(state));
             app::begin_ask(state, whom, {code}, std::move(encoded), how, done);
         },
         token, state_, of, command_code, std::vector<std::byte>(body.begin(), body.end()), options);
@@ -352,7 +353,7 @@ auto component::async_ask(const jaus::address& of, const Query& query, const ask
            // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
            std::vector<std::byte> encoded, const ask_options& how, bool is_good) {
             auto done =
-                app::make_operation<app::bytes>(std::move(handler), app::decoded_as<Report>{}, app::context_of(*state));
+                app::make_operation<app::bytes>(std::move(handler), app::decoded_as<Report>{}, app::executor_of(state));
             if (!is_good) return done->complete(node_errc::not_encodable, {});
             app::begin_ask(state, whom, {jaus::command_code_of<Query>, jaus::command_code_of<Report>},
                            std::move(encoded), how, done);

@@ -36,7 +36,7 @@ class control {
         return boost::asio::async_initiate<Token, void(app::error_code)>(
             [](auto handler, const std::shared_ptr<app::control_state>& state) {
                 app::begin_lost(
-                    state, app::make_operation<>(std::move(handler), app::no_conversion{}, app::context_of(*state)));
+                    state, app::make_operation<>(std::move(handler), app::no_conversion{}, app::executor_of(state)));
             },
             token, state_);
     }
@@ -66,7 +66,7 @@ template <class Token> auto control::async_send(std::uint16_t command_code, app:
            // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
            std::vector<std::byte> encoded) {
             app::begin_send(state, code, std::move(encoded),
-                            app::make_operation<>(std::move(handler), app::no_conversion{}, app::context_of(*state)));
+                            app::make_operation<>(std::move(handler), app::no_conversion{}, app::executor_of(state)));
         },
         token, state_, command_code, std::vector<std::byte>(body.begin(), body.end()));
 }
@@ -75,7 +75,7 @@ template <class Token> auto control::async_release(Token&& token) {
     return boost::asio::async_initiate<Token, void(app::error_code)>(
         [](auto handler, const std::shared_ptr<app::control_state>& state) {
             app::begin_release(
-                state, app::make_operation<>(std::move(handler), app::no_conversion{}, app::context_of(*state)));
+                state, app::make_operation<>(std::move(handler), app::no_conversion{}, app::executor_of(state)));
         },
         token, state_);
 }
@@ -86,7 +86,7 @@ template <jaus::coded_message T, class Token> auto control::async_send(const T& 
     return boost::asio::async_initiate<Token, void(app::error_code)>(
         [](auto handler, const std::shared_ptr<app::control_state>& state, std::vector<std::byte> encoded,
            bool is_good) {
-            auto done = app::make_operation<>(std::move(handler), app::no_conversion{}, app::context_of(*state));
+            auto done = app::make_operation<>(std::move(handler), app::no_conversion{}, app::executor_of(state));
             if (!is_good) return done->complete(node_errc::not_encodable);
             app::begin_send(state, jaus::command_code_of<T>, std::move(encoded), done);
         },

@@ -40,7 +40,8 @@ class node {
     /// component::when_stopped. Returns the exit code: 0, or 1 after an error, which is logged.
     JAUSCAT_DECL int run();
     /// Opens the sockets. For programs that run the io_context themselves. Throws `net::open_error` for an address or a
-    /// port that cannot be used, and `net::config_error`.
+    /// port that cannot be used, `net::config_error`, and `std::logic_error`, with everything as before, if the node
+    /// runs or calls this by one of its functions.
     JAUSCAT_DECL void start();
     /// Stops the components and closes the sockets. May be called by a handler.
     JAUSCAT_DECL void stop();
@@ -68,5 +69,6 @@ class node {
 } // namespace jauscat
 
 #ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/app/impl/node_context.ipp>
 #    include <jauscat/app/impl/node_state.ipp>
 #endif

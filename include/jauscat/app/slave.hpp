@@ -42,6 +42,9 @@ struct entry_information {
 class slave {
   public:
     slave(std::shared_ptr<app::bus_state> bus, const slave_choice& which) : bus_{std::move(bus)}, which_{which} {}
+    slave(const slave&) = default; // also where it is moved: there is no handle without a bus
+    slave& operator=(const slave&) = default;
+    ~slave() = default;
 
     /// Reads an object: an integer, a bool (1 byte), an enumeration, a float or a double of exactly its size
     /// (wrong_size), a std::string (VISIBLE_STRING; zeros at its end are not part of it) or a std::vector<std::byte>
@@ -53,7 +56,7 @@ class slave {
                 [](auto handler, const slave& self, std::uint16_t i, std::uint8_t s) {
                     self.read(i, s, app::object_size<T>(),
                               app::make_operation<app::object_bytes>(std::move(handler), app::object_conversion<T>{},
-                                                                     self.context()));
+                                                                     self.executor()));
                 },
                 token, *this, index, subindex);
     }
@@ -67,7 +70,7 @@ class slave {
             // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
             [](auto handler, const slave& self, std::uint16_t i, std::uint8_t s, app::object_bytes bytes) {
                 self.write(i, s, std::move(bytes),
-                           app::make_operation<>(std::move(handler), app::no_conversion{}, self.context()));
+                           app::make_operation<>(std::move(handler), app::no_conversion{}, self.executor()));
             },
             token, *this, index, subindex, app::to_object(value));
     }
@@ -79,7 +82,7 @@ class slave {
         return boost::asio::async_initiate<Token, void(app::error_code, std::vector<std::uint16_t>)>(
             [](auto handler, const slave& self, ethercat::object_list_type which) {
                 self.list_objects(which, app::make_operation<std::vector<std::uint16_t>>(
-                                             std::move(handler), app::no_conversion{}, self.context()));
+                                             std::move(handler), app::no_conversion{}, self.executor()));
             },
             token, *this, list);
     }
@@ -88,7 +91,7 @@ class slave {
         return boost::asio::async_initiate<Token, void(app::error_code, object_information)>(
             [](auto handler, const slave& self, std::uint16_t i) {
                 self.describe(i, app::make_operation<object_information>(std::move(handler), app::no_conversion{},
-                                                                         self.context()));
+                                                                         self.executor()));
             },
             token, *this, index);
     }
@@ -99,7 +102,7 @@ class slave {
             [](auto handler, const slave& self, std::uint16_t i, std::uint8_t s) {
                 self.describe_entry(
                     i, s,
-                    app::make_operation<entry_information>(std::move(handler), app::no_conversion{}, self.context()));
+                    app::make_operation<entry_information>(std::move(handler), app::no_conversion{}, self.executor()));
             },
             token, *this, index, subindex);
     }
@@ -108,8 +111,8 @@ class slave {
     template <class Token = default_token> auto async_state(Token&& token = Token{}) const {
         return boost::asio::async_initiate<Token, void(app::error_code, ethercat::al_status)>(
             [](auto handler, const slave& self) {
-                self.state(
-                    app::make_operation<ethercat::al_status>(std::move(handler), app::no_conversion{}, self.context()));
+                self.state(app::make_operation<ethercat::al_status>(std::move(handler), app::no_conversion{},
+                                                                    self.executor()));
             },
             token, *this);
     }
@@ -120,7 +123,7 @@ class slave {
     template <class Token = default_token> auto async_change(ethercat::al_state goal, Token&& token = Token{}) const {
         return boost::asio::async_initiate<Token, void(app::error_code)>(
             [](auto handler, const slave& self, ethercat::al_state to) {
-                self.change(to, app::make_operation<>(std::move(handler), app::no_conversion{}, self.context()));
+                self.change(to, app::make_operation<>(std::move(handler), app::no_conversion{}, self.executor()));
             },
             token, *this, goal);
     }
@@ -137,7 +140,7 @@ class slave {
     auto async_operate(const operate_options& options = {}, Token&& token = Token{}) const {
         return boost::asio::async_initiate<Token, void(app::error_code)>(
             [](auto handler, const slave& self, const operate_options& how) {
-                self.operate(how, app::make_operation<>(std::move(handler), app::no_conversion{}, self.context()));
+                self.operate(how, app::make_operation<>(std::move(handler), app::no_conversion{}, self.executor()));
             },
             token, *this, options);
     }
@@ -158,7 +161,7 @@ class slave {
     [[nodiscard]] const std::shared_ptr<app::bus_state>& bus() const noexcept { return bus_; }
 
   private:
-    [[nodiscard]] JAUSCAT_DECL boost::asio::io_context& context() const noexcept;
+    [[nodiscard]] JAUSCAT_DECL boost::asio::any_io_executor executor() const noexcept;
     JAUSCAT_DECL void read(std::uint16_t index, std::uint8_t subindex, std::optional<std::size_t> size,
                            app::operation_ptr<app::object_bytes> done) const;
     JAUSCAT_DECL void write(std::uint16_t index, std::uint8_t subindex, app::object_bytes bytes,

@@ -28,7 +28,7 @@ template <jaus::coded_message Report> class subscription {
         return boost::asio::async_initiate<Token, void(app::error_code, received<Report>)>(
             [](auto handler, const std::shared_ptr<app::subscription_state>& state) {
                 app::begin_next(state, app::make_operation<app::bytes>(std::move(handler), app::decoded_as<Report>{},
-                                                                       app::context_of(*state)));
+                                                                       app::executor_of(state)));
             },
             token, state_);
     }

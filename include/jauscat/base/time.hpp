@@ -18,12 +18,14 @@ struct clock {
 };
 using time_point = clock::time_point;
 
-/// `at + by`, at most time_point::max(): an instant that is never reached. `by`: 0 or more.
+/// `at + by`, at most time_point::max(): an instant that is never reached. A negative `by` is in the past.
 [[nodiscard]] constexpr time_point saturating_add(time_point at, duration by) noexcept {
+    if (by < duration{}) return at < time_point::min() - by ? time_point::min() : at + by;
     return at > time_point::max() - by ? time_point::max() : at + by;
 }
 
 [[nodiscard]] constexpr duration saturating_add(duration a, duration b) noexcept {
+    if (b < duration{}) return a < duration::min() - b ? duration::min() : a + b;
     return a > duration::max() - b ? duration::max() : a + b;
 }
 
@@ -33,7 +35,7 @@ class deadline {
     /// Never reached.
     constexpr deadline() noexcept = default;
     constexpr explicit deadline(time_point at) noexcept : at_{at} {}
-    /// `after`: 0 or more; duration::max() is never reached.
+    /// duration::max() is never reached; a negative `after` is over.
     constexpr deadline(time_point now, duration after) noexcept : at_{saturating_add(now, after)} {}
 
     [[nodiscard]] constexpr time_point at() const noexcept { return at_; }

@@ -49,6 +49,10 @@ struct bridge_options {
     /// The oldest inputs from which a query is answered, by the clock, and the time that a slave has to execute what is
     /// in its outputs.
     duration data_limit{};
+    /// A part that is not able to come to rest by its ramp in this time is refused; see process_times. 0: not compared.
+    duration rest_limit{};
+    /// A part whose ramp would take longer is to stop in another way. 0: as its own options say.
+    duration ramp_limit{};
     /// Interval between checks of the slaves' states, while no slave has process data.
     duration check_interval{};
     /// A Report Heartbeat Pulse is written to a slave by mailbox that has got no message for so long: it stops by
@@ -82,6 +86,9 @@ inline constexpr std::chrono::milliseconds at_rest_in_cycles{100};
             .longest_silence =
                 period == duration{} ? limit * 3 / 5 : std::min<duration>(limit / 2, std::max(second / 20, 2 * period)),
             .data_limit = limit * 4 / 5,
+            .rest_limit = limit,
+            // The rest of the limit after the loss of a controller, without the cycles in which the slaves are told.
+            .ramp_limit = std::max(limit * 3 / 10 - 2 * period, std::min<duration>(period, limit)),
             .check_interval = limit / 10,
             .keep_alive = std::min<duration>(limit / 5, second / 10),
             .control_timeout = limit * 7 / 10};

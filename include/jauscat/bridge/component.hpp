@@ -19,6 +19,9 @@
 
 namespace jauscat::bridging {
 
+/// Faults of drives behind one component that its observer gets at the same time.
+inline constexpr std::size_t fault_capacity = 64;
+
 /// Bits of the secondary status code in Report Component Status.
 namespace secondary_status {
 inline constexpr std::uint32_t slave_absent = 1;          ///< the slave does not answer
@@ -136,6 +139,7 @@ class component {
     JAUSCAT_FUNCTION void require_stop_of_state(stop_cause why);
     JAUSCAT_FUNCTION void require_rest(stop_cause why);
     JAUSCAT_FUNCTION void require_emergency(stop_cause why);
+    JAUSCAT_FUNCTION void tell_faults(const std::optional<drive_fault>& one);
     JAUSCAT_FUNCTION void show_pending_stops() noexcept;
     JAUSCAT_FUNCTION void drops_motion();
 
@@ -152,6 +156,8 @@ class component {
     slave_front& front_;
     std::optional<process_channel> process_{};
     std::optional<drive_fault> fault_{};
+    std::array<drive_fault, fault_capacity> told_faults_{}; // each once
+    std::size_t told_fault_count_{};
     pending_stops stops_;
     std::array<jaus::header, 16> waiting_{}; // state commands that the actuator has not confirmed
     std::size_t waiting_count_{};

@@ -56,6 +56,8 @@ struct refusal_reason {
 enum class stop_cause : std::uint8_t {
     state,           ///< the component has gone to a state other than Ready
     controller_lost, ///< the controller was lost without releasing control
+    control_taken,   ///< a component has got control while a command of another waited for its execution
+    sender_lost,     ///< the sender of the motion command in force was lost; it had no control
     slave_absent,    ///< the slave does not answer: what it does is not known
     slave_returned,  ///< it answers: its first order
     not_accepted,    ///< the slave has not executed a command from its outputs in time
@@ -92,7 +94,7 @@ struct observer {
     /// The actuator has confirmed all pending orders.
     jaus::hook<void(const component& unit)> settled{};
 
-    /// A drive of the component has a fault, or another one than before: it is in Failure.
+    /// A drive of the component has a fault, or another one than before: it is in Failure. Once for each fault.
     jaus::hook<void(const component& unit, const drive_fault& what)> faulted{};
     /// None has a fault any more.
     jaus::hook<void(const component& unit)> fault_ended{};

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 
 namespace jauscat::bridging {
@@ -53,7 +54,7 @@ class process_channel {
     /// The ages of all inputs are at most `limit`.
     [[nodiscard]] JAUSCAT_FUNCTION bool has_inputs_within(duration limit, time_point now) const noexcept;
 
-    [[nodiscard]] JAUSCAT_FUNCTION result<void, translate::errc> start(duration period);
+    [[nodiscard]] JAUSCAT_FUNCTION result<void, translate::errc> start(const process_times& times);
     /// A slave was lost. No command waits any more; `refused(const jaus::header&)` gets those that did.
     void end(auto&& refused) {
         is_started_ = false;
@@ -66,11 +67,18 @@ class process_channel {
         for (const waiting& each : std::span{all}.first(std::exchange(waiting_count_, 0)))
             if (!each.stop) refused(each.header);
     }
-    std::optional<drive_fault> step(time_point now) { return part_.step(slaves(), now); }
+    [[nodiscard]] JAUSCAT_FUNCTION std::optional<drive_fault> step(time_point now);
+    /// All of them; see process_part::faults.
+    [[nodiscard]] std::size_t faults(std::span<drive_fault> out) const {
+        return misfit_.empty() ? std::min(part_.faults(out), out.size()) : 0;
+    }
     void reset() { part_.reset(); }
 
-    [[nodiscard]] bool is_full() const noexcept { return waiting_count_ == waiting_.size(); }
-    /// The channel is not full, and no stop order waits.
+    /// Whether a command of another sender waits for its execution.
+    [[nodiscard]] JAUSCAT_FUNCTION bool has_command_of_others(const jaus::address& sender) const noexcept;
+    /// Where as many wait as there is place for, the first of them: the next command supersedes it.
+    [[nodiscard]] JAUSCAT_FUNCTION std::optional<jaus::header> make_room() noexcept;
+    /// There is room, and no stop order waits.
     [[nodiscard]] JAUSCAT_FUNCTION result<std::uint32_t, translate::errc> command(const jaus::header& head, bytes body,
                                                                                   duration limit, time_point now);
     /// The outputs are at rest, and no command follows: to be repeated where the slaves are to confirm it.
@@ -83,7 +91,7 @@ class process_channel {
         drop(refused);
         const auto number = part_.stop(what, slaves());
         has_rest_outputs_ = true;
-        if (limit) waiting_[waiting_count_++] = {{}, number, deadline{now, *limit}, what};
+        if (limit) waiting_[waiting_count_++] = {{}, number, *limit, deadline{now, *limit}, what};
         return number;
     }
     /// The next command that has come to an end. A later command in the same outputs may have arrived before the slave
@@ -96,6 +104,7 @@ class process_channel {
     struct waiting {
         jaus::header header{};
         std::uint32_t number{};
+        duration limit{};
         deadline until{};
         std::optional<stop_order> stop{};
     };
@@ -113,7 +122,8 @@ class process_channel {
     std::array<waiting, capacity> waiting_{};
     std::size_t waiting_count_{};
     bool is_started_{}, has_begun_{};
-    bool has_rest_outputs_{}; // no command after a stop order is in them
+    std::string_view misfit_{}; // why the part cannot keep the times
+    bool has_rest_outputs_{};   // no command after a stop order is in them
 };
 
 } // namespace jauscat::bridging

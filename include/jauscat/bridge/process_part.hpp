@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace jauscat::bridging {
 
@@ -24,11 +25,20 @@ struct slave_data {
 /// The slaves of a component, in the order in which it was given them.
 using slave_group = std::span<const slave_data>;
 
-/// A drive that cannot move. `code` is the device's: for a CiA 402 drive its error code, object 603Fh.
+/// A drive that cannot move. `code` is the device's: for a CiA 402 drive its error code, object 603Fh; 0 where it has
+/// none, or where that is not in the process data.
 struct drive_fault {
     std::size_t slave{}; ///< index in the group
     std::uint16_t code{};
+    std::string_view reason{}; ///< without a code: what the part has found; lives as long as the part
     friend constexpr bool operator==(const drive_fault&, const drive_fault&) = default;
+};
+
+/// The times of a component's slaves, by docs/safety.md.
+struct process_times {
+    duration period{};     ///< of the cycles, until `change_period`
+    duration rest_limit{}; ///< the slaves have to be at rest within it; 0: without limit
+    duration ramp_limit{}; ///< of that, for a ramp; 0: without limit
 };
 
 /// Carries the messages of one component by the process data of its slaves: commands into the outputs, queries from the
@@ -58,10 +68,16 @@ class process_part {
                                                                            [[maybe_unused]] duration period) {
         return {};
     }
-    /// All slaves are in OP with current inputs; the cycles have this period, or a shorter one once another user of the
-    /// bus needs it. What was before does not count: no command or stop order waits. Error: the data are not as this
-    /// part needs them; a slave is then brought up anew.
+    /// The times that the component has to keep, before each `start`; a bridge asks when it is given the part, too.
+    /// Returns why the part cannot keep them, as a sentence that lives as long as the part: the component then stays in
+    /// Failure, and a bridge throws it. Empty: it can.
+    [[nodiscard]] virtual std::string_view use_times([[maybe_unused]] const process_times& times) { return {}; }
+    /// All slaves are in OP with current inputs; the cycles have this period until `change_period`. What was before
+    /// does not count: no command or stop order waits. Error: the data are not as this part needs them; a slave is then
+    /// brought up anew.
     [[nodiscard]] virtual result<void, translate::errc> start(slave_group slaves, duration period) = 0;
+    /// The cycles have this period from now on: another user of the bus has begun or ended.
+    virtual void change_period([[maybe_unused]] duration period) {}
     /// Whether messages of this code, commands or queries, go by process data.
     [[nodiscard]] virtual bool takes(std::uint16_t command_code) const = 0;
     /// Whether the slave, which is then the only one, has JAUS objects: what this part does not take goes by mailbox,
@@ -72,10 +88,17 @@ class process_part {
     /// outputs: as the translation has them.
     [[nodiscard]] virtual result<std::uint32_t, translate::errc>
     command(const jaus::header& head, std::span<const std::byte> body, slave_group slaves, time_point now) = 0;
+    /// Commands wait until the slaves can execute them, as until brakes are open: the time for their execution begins
+    /// when this has ended. The part bounds it.
+    [[nodiscard]] virtual bool is_preparing() const { return false; }
     /// Brings the slaves that are not lost to rest; returns the number of this order. `what` is rest or emergency.
     virtual std::uint32_t stop(stop_order what, slave_group slaves) = 0;
     /// The number of the last command or stop order that all slaves have executed.
     [[nodiscard]] virtual std::uint32_t executed(slave_group slaves) const = 0;
+    /// The last stop order has not been executed in time. Whether later inputs show that all slaves obey it and have
+    /// become slower by a quarter or more since the order, or since this was asked last: they then get that time again.
+    /// Others are taken out of OP, so that they stop by themselves.
+    [[nodiscard]] virtual bool is_braking([[maybe_unused]] slave_group slaves) { return false; }
     /// Writes the message that answers a query which it takes, from current inputs, to `out`, and returns it.
     [[nodiscard]] virtual result<std::span<std::byte>, translate::errc> answer(const jaus::header& query,
                                                                                std::span<const std::byte> body,
@@ -84,6 +107,9 @@ class process_part {
 
     /// Once in each cycle. While it returns a fault, the component is in Failure and at rest.
     virtual std::optional<drive_fault> step(slave_group slaves, time_point now) = 0;
+    /// Writes all faults that are there after the last step to `out`, and returns how many, for a part whose drives can
+    /// have several. `step` returns one of them.
+    [[nodiscard]] virtual std::size_t faults([[maybe_unused]] std::span<drive_fault> out) const { return 0; }
     /// The component has got Reset: faults are to be acknowledged.
     virtual void reset() = 0;
 };

@@ -309,6 +309,8 @@ class ring {
     JAUSCAT_FUNCTION void watch_cycles(time_point now, jaus::message_sink out);
     // Missed cycles are skipped; those that follow a reference clock keep their phase.
     JAUSCAT_FUNCTION void skip_to_next_cycle(time_point now) noexcept;
+    // To the parts, if it has changed.
+    JAUSCAT_FUNCTION void tell_period();
     [[nodiscard]] bool is_cycle_due(time_point now) const noexcept { return cycles() && now >= next_cycle_; }
     // Silence is counted in cycles, each at most as long as it is to be: the time in which this program did not run is
     // none of the slave's. A cycle whose frames were forgotten, because another slave came or went, counts as well.
@@ -329,7 +331,8 @@ class ring {
 
     // Nothing where it is in the outputs; else why not.
     JAUSCAT_FUNCTION std::optional<refusal_reason> put_command(component& unit, process_channel& process,
-                                                               const jaus::header& head, bytes body, time_point now);
+                                                               const jaus::header& head, bytes body, time_point now,
+                                                               jaus::message_sink out);
     JAUSCAT_FUNCTION void answer(component& unit, process_channel& process, const jaus::header& query, bytes body,
                                  time_point now, jaus::message_sink out);
     JAUSCAT_FUNCTION void take_confirmations(component& unit, process_channel& process, time_point now,
@@ -358,6 +361,7 @@ class ring {
     std::uint32_t logical_base_{};
     time_point last_turn_{};
     time_point next_cycle_{};
+    duration told_period_{};                  // to the parts
     std::optional<time_point> cycle_begun_{}; // the last one; none where its slaves were others
     bool is_cycle_ended_{};                   // ... and what it has found counts
     duration late_{};                         // after it was due

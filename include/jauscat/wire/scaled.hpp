@@ -28,6 +28,8 @@ template <codec Raw, real_range Range> struct scaled {
     static constexpr std::size_t size = Raw::size;
     static_assert(std::integral<raw_type>, "scaled: the carrier must be an integer codec");
     static_assert(Range::min < Range::max, "scaled: the range is empty (min must be below max)");
+    // Its width times the steps of the carrier must be a double.
+    static_assert(Range::max / 1e288 - Range::min / 1e288 < 1, "scaled: the range is wider than 1e288");
 
     static constexpr raw_type top = std::numeric_limits<raw_type>::max();
     static constexpr raw_type bottom = static_cast<raw_type>(std::is_signed_v<raw_type> ? -top : 0);
@@ -47,7 +49,8 @@ template <codec Raw, real_range Range> struct scaled {
     JAUSCAT_INLINE static constexpr raw_type to_raw(double real) noexcept {
         const double count = (real - Range::min) * steps / (Range::max - Range::min) + 0.5;
         if constexpr (sizeof(raw_type) == 8) {
-            if (count >= steps) return top; // 2^64 - 1 is not a double; the next one does not fit the integer
+            if (count >= steps) return top;  // 2^64 - 1 is not a double; the next one does not fit the integer
+            if (!(count > 0)) return bottom; // `lowest` is many steps below the range: a step is less than its rounding
         }
         using counter = std::conditional_t<(sizeof(raw_type) < 4), std::int32_t,
                                            std::conditional_t<sizeof(raw_type) == 4, std::int64_t, std::uint64_t>>;

@@ -2,6 +2,8 @@
 #pragma once
 #include <jauscat/wire/nested.hpp>
 
+#include <algorithm>
+#include <tuple>
 #include <variant>
 
 namespace jauscat::wire {
@@ -156,6 +158,7 @@ template <auto Member, class Selector, class... Cases> struct selected {
     using keys = key_list<Member>;
     using value_type = member_value_t<Member>;
     using cases = std::tuple<Cases...>;
+    using selector = Selector;
     static constexpr bool optional = is_optional_member<Member>;
     static constexpr bool contextual = true;
     template <class Value, bool Raw> using table = detail::case_table<Value, Raw, Cases...>;

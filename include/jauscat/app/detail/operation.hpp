@@ -6,11 +6,11 @@
 // clang-format off
 #include <utility> // first: asio/awaitable.hpp of Boost 1.74 uses it
 // clang-format on
+#include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/associated_executor.hpp>
 #include <boost/asio/async_result.hpp>
 #include <boost/asio/error.hpp>
 #include <boost/asio/executor_work_guard.hpp>
-#include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/version.hpp>
@@ -67,13 +67,13 @@ template <class... Results> using operation_ptr = std::shared_ptr<operation<Resu
 
 /// `Convert` makes what the handler gets of the results: a tuple that begins with the error.
 template <class Handler, class Convert, class... Results> class handler_operation final : public operation<Results...> {
-    using executor_type = boost::asio::associated_executor_t<Handler, boost::asio::io_context::executor_type>;
+    using executor_type = boost::asio::associated_executor_t<Handler, boost::asio::any_io_executor>;
 
   public:
-    handler_operation(Handler handler, Convert convert, boost::asio::io_context& context)
+    handler_operation(Handler handler, Convert convert, const boost::asio::any_io_executor& otherwise)
         : handler_{std::move(handler)},
           convert_{std::move(convert)},
-          work_{boost::asio::get_associated_executor(handler_, context.get_executor())} {}
+          work_{boost::asio::get_associated_executor(handler_, otherwise)} {}
 
   private:
     void deliver(error_code error, Results... results) override {
@@ -89,19 +89,21 @@ template <class Handler, class Convert, class... Results> class handler_operatio
     boost::asio::executor_work_guard<executor_type> work_;
 };
 
-/// Makes the operation of a handler. Where that has a cancellation slot, the operation is aborted through it.
+/// Makes the operation of a handler. `executor`: of the node or bus; it calls a handler that has none of its own. Where
+/// the handler has a cancellation slot, the operation is aborted through it.
 template <class... Results, class Handler, class Convert>
-operation_ptr<Results...> make_operation(Handler handler, Convert convert, boost::asio::io_context& context) {
+operation_ptr<Results...> make_operation(Handler handler, Convert convert,
+                                         const boost::asio::any_io_executor& executor) {
 #if BOOST_VERSION >= 107700
     auto slot = boost::asio::get_associated_cancellation_slot(handler);
 #endif
     operation_ptr<Results...> made =
-        std::make_shared<handler_operation<Handler, Convert, Results...>>(std::move(handler), convert, context);
+        std::make_shared<handler_operation<Handler, Convert, Results...>>(std::move(handler), convert, executor);
 #if BOOST_VERSION >= 107700
     if (slot.is_connected())
-        slot.assign([weak = std::weak_ptr{made}, &context](boost::asio::cancellation_type) {
+        slot.assign([weak = std::weak_ptr{made}, executor](boost::asio::cancellation_type) {
             if (weak.expired()) return; // and perhaps the context
-            boost::asio::post(context, [weak] {
+            boost::asio::post(executor, [weak] {
                 if (const auto still = weak.lock()) still->cancel();
             });
         });

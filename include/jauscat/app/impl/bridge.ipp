@@ -56,6 +56,14 @@ JAUSCAT_DECL void bridge::when_emergency(std::function<void(const slave_choice&,
     const auto locked = state_->bus()->lock();
     state_->on_emergency = std::move(f);
 }
+JAUSCAT_DECL void bridge::when_faulted(std::function<void(const jaus::address&, const bridging::drive_fault&)> f) {
+    const auto locked = state_->bus()->lock();
+    state_->on_faulted = std::move(f);
+}
+JAUSCAT_DECL void bridge::when_fault_ended(std::function<void(const jaus::address&)> f) {
+    const auto locked = state_->bus()->lock();
+    state_->on_fault_ended = std::move(f);
+}
 JAUSCAT_DECL void bridge::observe(const bridging::observer& by) { state_->watcher = by; }
 JAUSCAT_DECL bool bridge::at_rest() const { return state_->at_rest(); }
 JAUSCAT_DECL bool bridge::is_up() const { return state_->is_up(); }

@@ -41,12 +41,12 @@ struct slave_messages {
 class bridged_component {
   public:
     /// Without process data `part` is empty; without one of the application's, `of_slaves` has none.
-    bridged_component(const jaus::address& self, std::uint8_t authority, const bus_state& bus,
+    bridged_component(const jaus::address& self, const served_component& options, const bus_state& bus,
                       std::span<served_slave* const> slaves, std::unique_ptr<bridging::process_part> part,
                       const slave_messages& of_slaves)
         : messages{of_slaves},
           self_{self},
-          authority_{authority},
+          options_{options},
           bus_{bus},
           slaves_{slaves.begin(), slaves.end()},
           part_{std::move(part)} {}
@@ -71,14 +71,15 @@ class bridged_component {
         const auto locked = bus_.lock();
         if (unit) unit->on_lost(who);
     }
-    [[nodiscard]] std::uint8_t authority() const noexcept { return authority_; }
+    [[nodiscard]] std::uint8_t authority() const noexcept { return options_.authority; }
+    [[nodiscard]] std::span<served_slave* const> slaves() const noexcept { return slaves_; }
 
     std::optional<bridging::component> unit{};
     const slave_messages messages;
 
   private:
     jaus::address self_;
-    std::uint8_t authority_;
+    served_component options_;
     const bus_state& bus_;
     std::vector<served_slave*> slaves_; ///< one or more
     std::unique_ptr<bridging::process_part> part_;
@@ -152,6 +153,8 @@ class served_slave final : public bus_user {
     void stop_refused(const bridging::component& unit, bridging::stop_order what, const bridging::refusal_reason& why,
                       unsigned attempts);
     void settled(const bridging::component& unit);
+    void faulted(const bridging::component& unit, const bridging::drive_fault& what);
+    void fault_ended(const bridging::component& unit);
     void refused(const bridging::component& unit, const jaus::header& message, const bridging::refusal_reason& why);
     [[nodiscard]] bridging::observer observer() noexcept;
 
@@ -166,6 +169,8 @@ class served_slave final : public bus_user {
     void log_event(std::string_view line);
     [[nodiscard]] const bridging::observer& watcher() const noexcept;
     [[nodiscard]] std::string name() const;
+    /// A slave of the component, by its index in the group.
+    [[nodiscard]] std::string name_of_drive(const bridging::component& unit, std::size_t slave) const;
 
     bridge_state& bridge_;
     slave_choice which_;
@@ -214,6 +219,8 @@ class bridge_state final : public std::enable_shared_from_this<bridge_state> {
     std::function<void(const jaus::address&, jaus::primary_status_code)> on_changed{};
     std::function<void(const jaus::address&)> on_at_rest{};
     std::function<void(const slave_choice&, const ethercat::coe_emergency&)> on_emergency{};
+    std::function<void(const jaus::address&, const bridging::drive_fault&)> on_faulted{};
+    std::function<void(const jaus::address&)> on_fault_ended{};
     std::optional<bridging::observer> watcher{}; ///< of the application
 
   private:

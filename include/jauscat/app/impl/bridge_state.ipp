@@ -62,6 +62,7 @@ JAUSCAT_DECL bridge_state::bridge_state(node_state& of, std::shared_ptr<bus_stat
 
 JAUSCAT_DECL void bridge_state::serve(const served_component& component, std::span<const slave_choice> by,
                                       std::unique_ptr<bridging::process_part> part) {
+    if (is_closed_) throw std::logic_error{"bridge: its node has ended"};
     auto self = node_.net().manager();
     self.component = component.component;
     self.instance = component.instance;
@@ -72,6 +73,9 @@ JAUSCAT_DECL void bridge_state::serve(const served_component& component, std::sp
     if (node_.has(self)) throw std::invalid_argument{"the node has a component " + net::to_jausip(self) + " already"};
     const bool cycles = options_.period > duration{};
     if (part && !cycles) throw std::invalid_argument{"bridge: process data need a period in the bridge's options"};
+    if (part)
+        if (const auto why = part->use_times({options_.period, timing_.rest_limit, timing_.ramp_limit}); !why.empty())
+            throw std::invalid_argument{"bridge: " + std::string{why}};
     if (by.empty() || by.size() > bridging::group_capacity)
         throw std::invalid_argument{"bridge: a component has 1 to " + std::to_string(bridging::group_capacity) +
                                     " slaves"};
@@ -85,7 +89,7 @@ JAUSCAT_DECL void bridge_state::serve(const served_component& component, std::sp
     std::vector<served_slave*> slaves;
     for (const auto& each : by) slaves.push_back(&slave_of(each));
     for (const auto* const each : slaves) each->check_place();
-    auto& added = components_.emplace_back(self, component.authority, *bus_, slaves, std::move(part), messages);
+    auto& added = components_.emplace_back(self, component, *bus_, slaves, std::move(part), messages);
     node_.net().add(added, added.messages);
     for (auto* const each : slaves) each->add(added);
 }
@@ -106,6 +110,7 @@ JAUSCAT_DECL node_part bridge_state::as_part() {
     return {.owner = shared_from_this(),
             .start = bound<&bridge_state::start>(*this),
             .stop = bound<&bridge_state::stop>(*this),
+            .end = bound<&bridge_state::close>(*this),
             .has = bound<&bridge_state::has>(*this)};
 }
 JAUSCAT_DECL void bridge_state::start() {
@@ -152,6 +157,8 @@ JAUSCAT_DECL void bridge_state::close() noexcept {
     on_changed = nullptr;
     on_at_rest = nullptr;
     on_emergency = nullptr;
+    on_faulted = nullptr;
+    on_fault_ended = nullptr;
 }
 JAUSCAT_DECL bool bridge_state::has(const jaus::address& component) const {
     return std::ranges::any_of(components_, [&](const auto& each) { return each.self() == component; });
@@ -182,9 +189,11 @@ JAUSCAT_DECL void bridge_state::flush() {
 }
 JAUSCAT_DECL void bridged_component::start(bridge_state& of) {
     if (unit) return;
-    const auto identity = net::detail::identity_of(of.node().net().config(), self_, {.authority_code = authority_});
-    const jaus::component_options options{
-        .control = {.authority_code = identity.authority_code, .timeout = of.timing().control_timeout}};
+    const auto identity =
+        net::detail::identity_of(of.node().net().config(), self_, {.authority_code = options_.authority});
+    const jaus::component_options options{.control = {.authority_code = identity.authority_code,
+                                                      .timeout = of.timing().control_timeout,
+                                                      .without_control = options_.without_control}};
     std::vector<bridging::slave_front*> fronts;
     for (auto* const each : slaves_) fronts.push_back(&each->front());
     if (part_)

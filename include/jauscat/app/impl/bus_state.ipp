@@ -38,6 +38,7 @@ JAUSCAT_DECL error_code error_of(const ethercat::master_error& error) noexcept {
     case sii_malformed:
     case no_fmmu:
     case too_many_managers:
+    case too_many_entries:
     case image_full:
     case watchdog_range:
     case object_not_kept:
@@ -54,7 +55,8 @@ JAUSCAT_DECL error_code error_of(const ethercat::master_error& error) noexcept {
     case mailbox_error: return bus_errc::refused;
     case unexpected_reply:
     case toggle_bit:
-    case fragment_missing: return bus_errc::malformed_answer;
+    case fragment_missing:
+    case too_many_fragments: return bus_errc::malformed_answer;
     case sdo_abort:
     case clear_refused:
         if (error.abort == ethercat::abort_code::none) return bus_errc::refused;
@@ -238,7 +240,7 @@ JAUSCAT_DECL std::unique_ptr<bus_job> bus_state::next_job(time_point now) {
     std::erase_if(queue_, [](const auto& each) { return each->is_over(); });
     if (finds_changes() && next_find_ <= now && (queue_.empty() || !looked_last_)) {
         looked_last_ = true;
-        next_find_ = now + options_.check_interval;
+        next_find_ = saturating_add(now, options_.check_interval);
         return make_find_job(find_scope::changes, nullptr);
     }
     bus_slave* seen_last{};
@@ -249,7 +251,7 @@ JAUSCAT_DECL std::unique_ptr<bus_job> bus_state::next_job(time_point now) {
     const bool looks = seen_last != nullptr && (queue_.empty() || !looked_last_);
     looked_last_ = looks;
     if (looks) {
-        seen_last->next_look = now + options_.check_interval;
+        seen_last->next_look = saturating_add(now, options_.check_interval);
         return make_look_job(seen_last->info.station);
     }
     if (queue_.empty()) return nullptr;

@@ -1,6 +1,7 @@
 // What a component asks of others: questions, commands, control, reports as streams.
 #pragma once
 #include <jauscat/app/client.hpp>
+#include <jauscat/app/impl/node_context.hpp>
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/jaus/component/component_part.hpp>
 #include <jauscat/jaus/component/held_control.hpp>
@@ -11,6 +12,7 @@
 #include <list>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace jauscat {
@@ -20,7 +22,7 @@ namespace app {
 /// Behind a control.
 struct control_state {
     std::weak_ptr<component_state> component;
-    boost::asio::io_context& context;
+    std::shared_ptr<node_context> context;
     jaus::address of{};
     jaus::control_state state{};
     operation_ptr<std::shared_ptr<control_state>> asked{}; ///< until it is answered
@@ -33,7 +35,7 @@ enum class stream_state : std::uint8_t { asking, active, silent, refused, unansw
 /// Behind a subscription.
 struct subscription_state {
     std::weak_ptr<component_state> component;
-    boost::asio::io_context& context;
+    std::shared_ptr<node_context> context;
     bool is_event{};
     std::size_t max_waiting{};
     std::optional<std::size_t> place{}; ///< in the consumer
@@ -56,12 +58,13 @@ class clients {
     void on_time(time_point now, jaus::message_sink out);
     [[nodiscard]] std::optional<time_point> next_event() const;
     void on_lost(const jaus::address& who);
-    /// A message of the component was acknowledged, or not. Large data sets to one receiver end in their order.
+    /// A message of the component was acknowledged, or not.
     void on_delivered(const jaus::header& head, jaus::delivered what, bool is_large);
     /// All operations end, control is released.
     void end_all(error_code why, time_point now, jaus::message_sink out) noexcept;
 
-    void send(jaus::header head, bytes body, const operation_ptr<>& done);
+    /// `by`: the control that the command needs, if any.
+    void send(jaus::header head, bytes body, const operation_ptr<>& done, std::shared_ptr<control_state> by = {});
     void ask(const jaus::address& of, question_codes codes, std::vector<std::byte> body, const ask_options& options,
              const operation_ptr<bytes>& done);
     /// A message is a report that was asked for or subscribed to.
@@ -86,7 +89,8 @@ class clients {
     struct sent_message { ///< waits for its acknowledgement
         jaus::header head{};
         operation_ptr<> done{};
-        bool is_large{}; ///< a large data set: known by receiver and command code, not by a number
+        bool is_large{};                     ///< a large data set: numbered by last_number_
+        std::shared_ptr<control_state> by{}; ///< the control that it needs
     };
     struct question { ///< waits for its report
         jaus::header head{};
@@ -109,6 +113,20 @@ class clients {
         void changed(jaus::control_state now);
     };
 
+    struct numbering {     ///< of a provider's answers
+        bool is_known{};   ///< they have the numbers of the questions
+        bool is_other{};   ///< they have not
+        unsigned misses{}; ///< answers in turn that were taken for late ones
+    };
+    static constexpr unsigned most_misses = 4;
+    static constexpr std::size_t most_ended = 256;
+
+    /// The question that a report answers; questions_.end(): none.
+    [[nodiscard]] std::list<question>::iterator question_of(const jaus::header& head, bool is_large);
+    /// An answer that comes now is not taken for that of a later question.
+    void note_ended(const question& one);
+    /// Commands of a control that is not held any more are not repeated.
+    void end_uncontrolled();
     /// Sends a waiting message no more; an operation that waits for its outcome is aborted.
     void forget(const jaus::header& sent);
     [[nodiscard]] node_errc refused(const jaus::header& head, node_errc why) const;
@@ -128,6 +146,9 @@ class clients {
     jaus::event_consumer<capacity> events_;
     std::list<sent_message> sent_{};
     std::list<question> questions_{};
+    std::deque<jaus::header> ended_{};                         ///< questions, the last ones
+    std::unordered_map<std::uint32_t, numbering> numbering_{}; ///< by address
+    std::uint16_t last_number_; ///< of large data sets, and of questions that are not acknowledged
     std::list<held> held_{};
     std::vector<std::shared_ptr<subscription_state>> subscriptions_{};
 };

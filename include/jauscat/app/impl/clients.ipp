@@ -8,11 +8,13 @@
 #include <jauscat/net/now.hpp>
 #include <jauscat/text/message_name.hpp>
 
-#include <boost/asio/post.hpp>
+#include <boost/asio/system_executor.hpp>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <functional>
+#include <random>
 #include <utility>
 
 namespace jauscat {
@@ -20,7 +22,12 @@ inline namespace JAUSCAT_WAY {
 namespace app {
 
 JAUSCAT_DECL clients::clients(component_state& component, const jaus::address& self, const retry_policy& retry)
-    : component_{component}, self_{self}, retry_{retry}, connections_{self, {.retry = retry}}, events_{self, retry} {}
+    : component_{component},
+      self_{self},
+      retry_{retry},
+      connections_{self, {.retry = retry}},
+      events_{self, retry},
+      last_number_{static_cast<std::uint16_t>(std::random_device{}())} {}
 
 inline node_errc error_of(net::errc error) {
     switch (error) {
@@ -35,6 +42,7 @@ inline error_code error_of(jaus::delivered what) {
     switch (what) {
     case jaus::delivered::acknowledged: return {};
     case jaus::delivered::refused: return node_errc::refused;
+    case jaus::delivered::control_lost: return node_errc::control_lost;
     case jaus::delivered::timed_out: break;
     }
     return node_errc::no_answer;
@@ -56,9 +64,10 @@ inline result<std::uint16_t, node_errc> clients::send_acknowledged(const jaus::h
     if (body.size() > jaus::max_body_size) {
         auto large = head;
         large.ack_nak = jaus::ack_nak::request;
+        large.sequence_number = ++last_number_;
         const auto sent = net.send(large, body);
         if (!sent) return refused(head, error_of(sent.error().code));
-        return std::uint16_t{};
+        return large.sequence_number;
     }
     std::vector<std::byte> message(jaus::header_size + body.size());
     const auto made = jaus::join(head, body, message);
@@ -70,11 +79,12 @@ inline result<std::uint16_t, node_errc> clients::send_acknowledged(const jaus::h
     return *sent;
 }
 
-JAUSCAT_DECL void clients::send(jaus::header head, bytes body, const operation_ptr<>& done) {
+JAUSCAT_DECL void clients::send(jaus::header head, bytes body, const operation_ptr<>& done,
+                                std::shared_ptr<control_state> by) {
     const auto number = send_acknowledged(head, body);
     if (!number) return done->complete(number.error());
     head.sequence_number = *number;
-    sent_.push_back({head, done, body.size() > jaus::max_body_size});
+    sent_.push_back({head, done, body.size() > jaus::max_body_size, std::move(by)});
 }
 
 JAUSCAT_DECL void clients::ask(const jaus::address& of, question_codes codes, std::vector<std::byte> body,
@@ -92,7 +102,8 @@ JAUSCAT_DECL void clients::ask(const jaus::address& of, question_codes codes, st
         asked.head.sequence_number = *number;
     } else {
         if (!jaus::names_one_component(head.destination)) return done->complete(node_errc::not_one_address, {});
-        const auto sent = component_.node().net().send(head, body);
+        asked.head.sequence_number = ++last_number_;
+        const auto sent = component_.node().net().send(asked.head, body);
         if (!sent) return done->complete(refused(head, error_of(sent.error().code)), {});
         asked.message = std::move(body);
         asked.repeated_at = saturating_add(now, retry_.interval);
@@ -104,7 +115,7 @@ JAUSCAT_DECL void clients::ask(const jaus::address& of, question_codes codes, st
 JAUSCAT_DECL void clients::on_delivered(const jaus::header& head, jaus::delivered what, bool is_large) {
     const auto is_it = [&](const auto& one) {
         return one.head.command_code == head.command_code && one.head.destination == head.destination &&
-               one.is_large == is_large && (is_large || one.head.sequence_number == head.sequence_number);
+               one.is_large == is_large && one.head.sequence_number == head.sequence_number;
     };
     if (const auto found = std::ranges::find_if(sent_, is_it); found != sent_.end()) {
         found->done->complete(error_of(what));
@@ -121,8 +132,10 @@ JAUSCAT_DECL void clients::on_delivered(const jaus::header& head, jaus::delivere
 JAUSCAT_DECL jaus::message_outcome clients::on_message(const jaus::header& head, bytes body, time_point now,
                                                        jaus::message_sink out) {
     for (auto& one : held_)
-        if (const auto what = one.machine->on_message(head, body, now, out); what != jaus::message_outcome::unhandled)
+        if (const auto what = one.machine->on_message(head, body, now, out); what != jaus::message_outcome::unhandled) {
+            end_uncontrolled();
             return what;
+        }
 
     const auto connection = connections_.on_message(head, body, now, out);
     if (connection.what == jaus::consumer_notice::report)
@@ -143,18 +156,42 @@ JAUSCAT_DECL jaus::message_outcome clients::on_message(const jaus::header& head,
     }
 
     if (head.service_connection) return jaus::message_outcome::unhandled;
-    // An answer has the number of its question; there are components that have not.
-    const auto answers = [&](const question& one) {
-        return one.report == head.command_code && one.head.destination == head.source;
-    };
-    auto found = std::ranges::find_if(questions_, [&](const question& one) {
-        return answers(one) && one.head.sequence_number == head.sequence_number;
-    });
-    if (found == questions_.end()) found = std::ranges::find_if(questions_, answers);
+    const auto found = question_of(head, body.size() > jaus::max_body_size);
     if (found == questions_.end()) return jaus::message_outcome::unhandled;
+    note_ended(*found);
     found->done->complete({}, body);
     questions_.erase(found);
     return jaus::message_outcome::handled;
+}
+
+// An answer has the number of its question. There are components that number answers otherwise: theirs belong to the
+// first question, until one of them has had the number of a question. The packets of a large one are numbered.
+JAUSCAT_DECL std::list<clients::question>::iterator clients::question_of(const jaus::header& head, bool is_large) {
+    const auto answers = [&](const question& one) {
+        return one.report == head.command_code && one.head.destination == head.source;
+    };
+    const auto has_number = [&](const jaus::header& one) {
+        return one.sequence_number == head.sequence_number && one.destination == head.source;
+    };
+    const auto first = std::ranges::find_if(questions_, answers);
+    if (is_large || first == questions_.end()) return first;
+    auto& numbers = numbering_[std::bit_cast<std::uint32_t>(head.source)];
+    const auto found =
+        std::ranges::find_if(questions_, [&](const question& one) { return answers(one) && has_number(one.head); });
+    if (found != questions_.end()) {
+        if (head.sequence_number != 0) numbers = {.is_known = true};
+        return found;
+    }
+    const bool is_late = numbers.is_known || (!numbers.is_other && std::ranges::any_of(ended_, has_number));
+    if (!is_late) return first;
+    if (++numbers.misses < most_misses) return questions_.end();
+    numbers = {.is_other = true}; // it may have been replaced by a program that numbers otherwise
+    return first;
+}
+JAUSCAT_DECL void clients::note_ended(const question& one) {
+    if (one.head.sequence_number == 0) return;
+    if (ended_.size() == most_ended) ended_.pop_front();
+    ended_.push_back(one.head);
 }
 
 JAUSCAT_DECL bool clients::awaits(const jaus::header& head) const {
@@ -171,12 +208,14 @@ JAUSCAT_DECL bool clients::awaits(const jaus::header& head) const {
 
 JAUSCAT_DECL void clients::on_time(time_point now, jaus::message_sink out) {
     for (auto& one : held_) one.machine->on_time(now, out);
+    end_uncontrolled();
     std::erase_if(held_, [&](const held& one) { return !one.is_wanted() && now - one.over_at >= late; });
     connections_.on_time(now, out);
     events_.on_time(now, out);
     note_streams();
     for (auto& one : questions_) {
         if (one.until.is_reached(now)) {
+            note_ended(one);
             one.done->complete(node_errc::no_answer, {});
             component_.forget(one.head);
         }
@@ -209,6 +248,7 @@ JAUSCAT_DECL std::optional<time_point> clients::next_event() const {
 
 JAUSCAT_DECL void clients::on_lost(const jaus::address& who) {
     for (auto& one : held_) one.machine->on_lost(who);
+    end_uncontrolled();
     events_.on_lost(who);
     note_streams();
 }
@@ -238,6 +278,8 @@ JAUSCAT_DECL void clients::end_cancelled() {
         return true;
     };
     std::erase_if(sent_, forget);
+    for (const auto& one : questions_)
+        if (is_cancelled(one.done)) note_ended(one);
     std::erase_if(questions_, forget);
     for (const auto& one : std::vector{subscriptions_})
         if (is_cancelled(one->asked)) end(*one);
@@ -393,11 +435,21 @@ JAUSCAT_DECL void clients::control(const control_options& options, std::shared_p
     one.machine->ask(options.authority, net::now(), component_.node().net().out());
 }
 
+JAUSCAT_DECL void clients::end_uncontrolled() {
+    std::erase_if(sent_, [this](const sent_message& one) {
+        if (one.by == nullptr || one.by->state == jaus::control_state::held) return false;
+        one.done->complete(node_errc::control_lost);
+        if (one.is_large) return false; // the node sends it to its end, which comes
+        component_.forget(one.head);
+        return true;
+    });
+}
+
 JAUSCAT_DECL void clients::forget(const jaus::header& sent) {
     component_.forget(sent);
     const auto is_it = [&](const sent_message& one) {
-        return one.head.command_code == sent.command_code && one.head.destination == sent.destination &&
-               one.head.sequence_number == sent.sequence_number;
+        return !one.is_large && one.head.command_code == sent.command_code &&
+               one.head.destination == sent.destination && one.head.sequence_number == sent.sequence_number;
     };
     const auto found = std::ranges::find_if(sent_, is_it);
     if (found == sent_.end()) return;
@@ -417,19 +469,17 @@ JAUSCAT_DECL void clients::release(control_state& released, const operation_ptr<
         if (!number) return done->complete(node_errc::queue_full);
         sent_.push_back({found->release, done});
     });
+    end_uncontrolled();
 }
 
 // What the typed functions call, from any thread: the rest happens on the thread of the io_context.
 
-/// The one type of function that is posted: each takes the compiler 50 ms.
-inline void post(boost::asio::io_context& context, std::function<void()> work) {
-    boost::asio::post(context, std::move(work));
-}
-/// `begin(clients&)` starts the operation `done` at a running component.
+/// `begin(component, clients)` starts the operation `done` at a running component.
 template <class... Results>
 void enqueue(const std::shared_ptr<component_state>& component, const operation_ptr<Results...>& done,
-             std::function<void(clients&)> begin) {
-    post(context_of(*component), [component, done, begin = std::move(begin)] {
+             std::function<void(const std::shared_ptr<component_state>&, clients&)> begin) {
+    component->context()->post([component, done, begin = std::move(begin)](bool is_over) {
+        if (is_over) return done->complete(node_errc::not_running, Results{}...);
         if (component->is_closed()) return done->complete(boost::asio::error::operation_aborted, Results{}...);
         if (!component->is_running()) return done->complete(node_errc::not_running, Results{}...);
         if (done->is_done()) return;
@@ -439,18 +489,17 @@ void enqueue(const std::shared_ptr<component_state>& component, const operation_
             still->others().end_cancelled();
             still->node().wake();
         };
-        begin(component->others());
+        begin(component, component->others());
         component->node().wake();
     });
 }
 /// The same for what has no operation, and nothing to do at a component that does not run.
-inline void enqueue_end(const std::weak_ptr<component_state>& component, boost::asio::io_context& context,
+inline void enqueue_end(const std::weak_ptr<component_state>& component, node_context& context,
                         std::function<void(clients&)> end) noexcept {
-    if (component.expired()) return; // and perhaps the context
     try {
-        post(context, [component, end = std::move(end)] {
+        context.post([component, end = std::move(end)](bool is_over) {
             const auto still = component.lock();
-            if (still == nullptr || !still->is_running()) return;
+            if (is_over || still == nullptr || !still->is_running()) return;
             end(still->others());
             still->node().wake();
         });
@@ -459,18 +508,26 @@ inline void enqueue_end(const std::weak_ptr<component_state>& component, boost::
 }
 
 JAUSCAT_DECL void cancel(const std::shared_ptr<component_state>& of) {
-    post(of->context(), [of] {
-        if (of->is_running()) of->others().cancel();
+    of->context()->post([of](bool is_over) {
+        if (!is_over && of->is_running()) of->others().cancel();
     });
 }
-JAUSCAT_DECL boost::asio::io_context& context_of(component_state& of) noexcept { return of.context(); }
-JAUSCAT_DECL boost::asio::io_context& context_of(const subscription_state& of) noexcept { return of.context; }
-JAUSCAT_DECL boost::asio::io_context& context_of(const control_state& of) noexcept { return of.context; }
+JAUSCAT_DECL boost::asio::any_io_executor executor_of(const std::shared_ptr<component_state>& of) noexcept {
+    return of->context()->executor();
+}
+JAUSCAT_DECL boost::asio::any_io_executor executor_of(const std::shared_ptr<subscription_state>& of) noexcept {
+    if (of == nullptr) return boost::asio::system_executor{};
+    return of->context->executor();
+}
+JAUSCAT_DECL boost::asio::any_io_executor executor_of(const std::shared_ptr<control_state>& of) noexcept {
+    if (of == nullptr) return boost::asio::system_executor{};
+    return of->context->executor();
+}
 JAUSCAT_DECL std::uint64_t dropped_of(const subscription_state& of) noexcept { return of.dropped; }
 
 JAUSCAT_DECL void begin_send(const std::shared_ptr<component_state>& from, const jaus::address& to, std::uint16_t code,
                              std::vector<std::byte> body, const operation_ptr<>& done) {
-    enqueue(from, done, [head = from->head_of(code, to), body = std::move(body), done](clients& all) {
+    enqueue(from, done, [head = from->head_of(code, to), body = std::move(body), done](const auto&, clients& all) {
         all.send(head, body, done);
     });
 }
@@ -478,7 +535,7 @@ JAUSCAT_DECL void begin_ask(const std::shared_ptr<component_state>& from, const 
                             std::vector<std::byte> body, const ask_options& options, const operation_ptr<bytes>& done) {
     if (codes.report == 0) codes.report = jaus::report_code_of(codes.query);
     if (codes.report == 0) return done->complete(node_errc::not_a_query, {});
-    enqueue(from, done, [of, codes, body = std::move(body), options, done](clients& all) mutable {
+    enqueue(from, done, [of, codes, body = std::move(body), options, done](const auto&, clients& all) mutable {
         all.ask(of, codes, std::move(body), options, done);
     });
 }
@@ -486,14 +543,14 @@ JAUSCAT_DECL void begin_ask(const std::shared_ptr<component_state>& from, const 
 inline std::shared_ptr<subscription_state>
 new_subscription(const std::shared_ptr<component_state>& by,
                  const operation_ptr<std::shared_ptr<subscription_state>>& asked) {
-    auto made = std::make_shared<subscription_state>(subscription_state{.component = by, .context = context_of(*by)});
+    auto made = std::make_shared<subscription_state>(subscription_state{.component = by, .context = by->context()});
     made->asked = asked;
     return made;
 }
 JAUSCAT_DECL void begin_connect(const std::shared_ptr<component_state>& from, const jaus::address& of,
                                 std::uint16_t code, const connect_options& options,
                                 const operation_ptr<std::shared_ptr<subscription_state>>& done) {
-    enqueue(from, done, [from, of, code, options, done](clients& all) {
+    enqueue(from, done, [of, code, options, done](const auto& from, clients& all) {
         auto made = new_subscription(from, done);
         made->max_waiting = options.max_waiting;
         all.connect(of, code, options, std::move(made));
@@ -502,7 +559,7 @@ JAUSCAT_DECL void begin_connect(const std::shared_ptr<component_state>& from, co
 JAUSCAT_DECL void begin_event(const std::shared_ptr<component_state>& from, const jaus::address& of,
                               std::vector<std::byte> request, std::size_t max_waiting,
                               const operation_ptr<std::shared_ptr<subscription_state>>& done) {
-    enqueue(from, done, [from, of, request = std::move(request), max_waiting, done](clients& all) {
+    enqueue(from, done, [of, request = std::move(request), max_waiting, done](const auto& from, clients& all) {
         auto made = new_subscription(from, done);
         made->is_event = true;
         made->max_waiting = max_waiting;
@@ -510,7 +567,9 @@ JAUSCAT_DECL void begin_event(const std::shared_ptr<component_state>& from, cons
     });
 }
 JAUSCAT_DECL void begin_next(const std::shared_ptr<subscription_state>& of, const operation_ptr<bytes>& done) {
-    post(of->context, [of, done] {
+    if (of == nullptr) return done->complete(boost::asio::error::operation_aborted, {});
+    of->context->post([of, done](bool is_over) {
+        if (is_over) return done->complete(boost::asio::error::operation_aborted, {});
         if (!of->reports.empty()) {
             const auto body = std::move(of->reports.front());
             of->reports.pop_front();
@@ -525,7 +584,7 @@ JAUSCAT_DECL void begin_next(const std::shared_ptr<subscription_state>& of, cons
     });
 }
 JAUSCAT_DECL void end(const std::shared_ptr<subscription_state>& of) noexcept {
-    enqueue_end(of->component, of->context, [of](clients& all) {
+    enqueue_end(of->component, *of->context, [of](clients& all) {
         all.end(*of);
         of->reports.clear();
         of->news = {};
@@ -536,8 +595,8 @@ JAUSCAT_DECL void end(const std::shared_ptr<subscription_state>& of) noexcept {
 JAUSCAT_DECL void begin_control(const std::shared_ptr<component_state>& from, const jaus::address& of,
                                 const control_options& options,
                                 const operation_ptr<std::shared_ptr<control_state>>& done) {
-    enqueue(from, done, [from, of, options, done](clients& all) {
-        auto made = std::make_shared<control_state>(control_state{.component = from, .context = context_of(*from)});
+    enqueue(from, done, [of, options, done](const auto& from, clients& all) {
+        auto made = std::make_shared<control_state>(control_state{.component = from, .context = from->context()});
         made->of = of;
         made->asked = done;
         all.control(options, std::move(made));
@@ -545,31 +604,35 @@ JAUSCAT_DECL void begin_control(const std::shared_ptr<component_state>& from, co
 }
 JAUSCAT_DECL void begin_send(const std::shared_ptr<control_state>& by, std::uint16_t code, std::vector<std::byte> body,
                              const operation_ptr<>& done) {
+    if (by == nullptr) return done->complete(node_errc::control_lost);
     const auto from = by->component.lock();
     if (from == nullptr) return done->complete(boost::asio::error::operation_aborted);
-    enqueue(from, done, [by, head = from->head_of(code, by->of), body = std::move(body), done](clients& all) {
-        if (by->state != jaus::control_state::held) return done->complete(node_errc::control_lost);
-        all.send(head, body, done);
-    });
+    enqueue(from, done,
+            [by, head = from->head_of(code, by->of), body = std::move(body), done](const auto&, clients& all) {
+                if (by->state != jaus::control_state::held) return done->complete(node_errc::control_lost);
+                all.send(head, body, done, by);
+            });
 }
 JAUSCAT_DECL void begin_release(const std::shared_ptr<control_state>& of, const operation_ptr<>& done) {
+    if (of == nullptr) return done->complete(node_errc::control_lost);
     const auto from = of->component.lock();
     if (from == nullptr) return done->complete(boost::asio::error::operation_aborted);
-    enqueue(from, done, [of, done](clients& all) {
+    enqueue(from, done, [of, done](const auto&, clients& all) {
         if (of->state != jaus::control_state::held) return done->complete(node_errc::control_lost);
         all.release(*of, done);
         for (const auto& one : std::exchange(of->when_lost, {})) one->complete(boost::asio::error::operation_aborted);
     });
 }
 JAUSCAT_DECL void begin_lost(const std::shared_ptr<control_state>& of, const operation_ptr<>& done) {
-    post(of->context, [of, done] {
-        if (of->state != jaus::control_state::held) return done->complete(node_errc::control_lost);
+    if (of == nullptr) return done->complete(node_errc::control_lost);
+    of->context->post([of, done](bool is_over) {
+        if (is_over || of->state != jaus::control_state::held) return done->complete(node_errc::control_lost);
         std::erase_if(of->when_lost, [](const auto& one) { return one->is_done(); });
         of->when_lost.push_back(done);
     });
 }
 JAUSCAT_DECL void end(const std::shared_ptr<control_state>& of) noexcept {
-    enqueue_end(of->component, of->context, [of](clients& all) {
+    enqueue_end(of->component, *of->context, [of](clients& all) {
         all.release(*of);
         for (const auto& one : std::exchange(of->when_lost, {})) one->complete(boost::asio::error::operation_aborted);
     });
@@ -580,7 +643,10 @@ JAUSCAT_DECL void end(const std::shared_ptr<control_state>& of) noexcept {
 JAUSCAT_DECL bool control::is_held() const noexcept {
     return state_ != nullptr && !is_released_ && state_->state == jaus::control_state::held;
 }
-JAUSCAT_DECL const jaus::address& control::of() const noexcept { return state_->of; }
+JAUSCAT_DECL const jaus::address& control::of() const noexcept {
+    static constexpr jaus::address nobody{};
+    return state_ == nullptr ? nobody : state_->of;
+}
 
 } // namespace JAUSCAT_WAY
 } // namespace jauscat

@@ -44,6 +44,8 @@ JAUSCAT_DECL const jaus::address& component::address() const noexcept { return s
 JAUSCAT_DECL void component::cancel() { app::cancel(state_); }
 JAUSCAT_DECL result<void, net::error> component::send(const jaus::address& to, std::uint16_t command_code,
                                                       app::bytes body) {
+    if (!state_->has_node())
+        return net::error{.code = net::errc::not_running, .reason = {}, .message = "the node has ended"};
     return state_->node().net().send(state_->head_of(command_code, to), body);
 }
 

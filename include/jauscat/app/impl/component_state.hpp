@@ -2,13 +2,12 @@
 #pragma once
 #include <jauscat/app/component_options.hpp>
 #include <jauscat/app/detail/unit.hpp>
+#include <jauscat/app/impl/node_context.hpp>
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/jaus/component/component_control.hpp>
 #include <jauscat/jaus/component/component_outcome.hpp>
 #include <jauscat/jaus/component/described_component.hpp>
 #include <jauscat/jaus/message/hook.hpp>
-
-#include <boost/asio/io_context.hpp>
 
 #include <functional>
 #include <memory>
@@ -56,16 +55,22 @@ class component_state {
     [[nodiscard]] std::optional<jaus::address> controller() const noexcept;
     [[nodiscard]] bool is_running() const noexcept { return is_running_; }
     [[nodiscard]] bool is_closed() const noexcept { return closed_; }
+    /// The node has ended.
+    void lose_node() noexcept { node_ = nullptr; }
+    [[nodiscard]] bool has_node() const noexcept { return node_ != nullptr; }
+    /// A function of the application may be active.
+    [[nodiscard]] bool is_in_turn() const noexcept { return in_turn_; }
     /// Where the configuration does not name the component.
     [[nodiscard]] jaus::identity identity() const noexcept {
         return {.identification = options_.name, .type = 60001, .authority_code = options_.authority};
     }
     /// While it runs.
-    [[nodiscard]] node_state& node() noexcept { return node_; }
+    [[nodiscard]] node_state& node() noexcept { return *node_; }
     [[nodiscard]] clients& others() noexcept;
     /// A large data set of this component was acknowledged, or not.
     void on_large_delivered(const jaus::header& head, jaus::delivered what);
-    [[nodiscard]] boost::asio::io_context& context() noexcept { return context_; }
+    /// Outlives the node.
+    [[nodiscard]] const std::shared_ptr<node_context>& context() const noexcept { return context_; }
     /// The header of a message to another component.
     [[nodiscard]] jaus::header head_of(std::uint16_t command_code, const jaus::address& to) const noexcept {
         return {.experimental = jaus::is_private(command_code),
@@ -106,7 +111,7 @@ class component_state {
     jaus::message_outcome write(const given_report& report, const report_request& request);
     void send_changes(time_point now, jaus::message_sink out);
     void note_state(jaus::primary_status_code from, jaus::primary_status_code to);
-    void note_controller(const std::optional<jaus::controller>& by);
+    void note_controller(const std::optional<jaus::controller>& by, jaus::control_change why);
     void tell_stopped() noexcept;
     /// Does what functions of the application have asked for while the state machines were at work.
     void settle();
@@ -119,8 +124,9 @@ class component_state {
     auto in_turn(auto&& work);
     [[nodiscard]] const given_report* report_of(std::uint16_t command_code) const;
 
-    node_state& node_;
-    boost::asio::io_context& context_; ///< outlives the node
+    std::shared_ptr<boost::asio::io_context> own_context_; ///< of the node, if it has one
+    node_state* node_;                                     ///< nullptr: it has ended
+    std::shared_ptr<node_context> context_;
     jaus::address self_;
     component_options options_;
     std::vector<taken_message> takes_{};

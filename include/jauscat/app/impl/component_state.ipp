@@ -44,8 +44,8 @@ struct component_state::core {
     struct hooks {
         component_state& of;
         void state(jaus::primary_status_code from, jaus::primary_status_code to) const { of.note_state(from, to); }
-        void controller(const std::optional<jaus::controller>& by, jaus::control_change) const {
-            of.note_controller(by);
+        void controller(const std::optional<jaus::controller>& by, jaus::control_change why) const {
+            of.note_controller(by, why);
         }
         void delivered(const jaus::awaited_message& message, jaus::delivered what) const {
             of.core_->others.on_delivered(message.header, what, false);
@@ -76,7 +76,9 @@ struct component_state::core {
     std::array<jaus::offered_service, 2> services{jaus::core_messages::service};
     jaus::described_component described;
     clients others;
-    jaus::component_memory<64, 4096> memory{};
+    std::array<jaus::awaited_message, 64> waiting{};
+    std::vector<std::byte> copies;
+    std::vector<jaus::acknowledged_message> remembered;
     component_type machine;
 };
 
@@ -120,14 +122,17 @@ inline component_state::core::core(component_state& of, const jaus::identity& id
                 beats ? jaus::heartbeat_to_node_manager(of.self_) : jaus::heartbeat{.period = {}},
                 services_memory},
       others{of, of.self_, of.options_.retry},
+      copies(waiting.size() * 4096),
+      remembered(std::max<std::size_t>(of.options_.remembered, 4)),
       machine{of.self_,
-              memory,
+              jaus::component_places{waiting, copies, remembered},
               {.on_state = jaus::bound<&hooks::state>(hook),
                .on_controller = jaus::bound<&hooks::controller>(hook),
                .on_delivered = jaus::bound<&hooks::delivered>(hook)},
               {.control = {.authority_code = identity.authority_code,
                            .harmless = harmless,
-                           .timeout = of.options_.controller_timeout},
+                           .timeout = of.options_.controller_timeout,
+                           .without_control = of.options_.without_control},
                .acknowledgement = {.retry = of.options_.retry,
                                    .first_number = static_cast<std::uint16_t>(std::random_device{}())},
                .obeys_only_when_ready = of.options_.obeys_only_when_ready},
@@ -137,7 +142,11 @@ inline component_state::core::core(component_state& of, const jaus::identity& id
               described} {}
 
 JAUSCAT_DECL component_state::component_state(node_state& node, const jaus::address& self, component_options options)
-    : node_{node}, context_{node.context()}, self_{self}, options_{std::move(options)} {}
+    : own_context_{node.own_context()},
+      node_{&node},
+      context_{node.shared_context()},
+      self_{self},
+      options_{std::move(options)} {}
 JAUSCAT_DECL component_state::~component_state() = default;
 
 JAUSCAT_DECL clients& component_state::others() noexcept { return core_->others; }
@@ -145,11 +154,11 @@ JAUSCAT_DECL void component_state::on_large_delivered(const jaus::header& head, 
     core_->others.on_delivered(head, what, true);
 }
 JAUSCAT_DECL result<std::uint16_t, jaus::send_error> component_state::send_acknowledged(bytes message) {
-    return core_->machine.send(message, net::now(), node_.net().out());
+    return core_->machine.send(message, net::now(), node_->net().out());
 }
 JAUSCAT_DECL void component_state::forget(const jaus::header& sent) noexcept { core_->machine.forget(sent); }
 JAUSCAT_DECL bool component_state::is_routable(const jaus::address& to) const {
-    return node_.is_open() || node_.net().config().next_hop(to) != nullptr;
+    return node_->is_open() || node_->net().config().next_hop(to) != nullptr;
 }
 
 JAUSCAT_DECL void component_state::take(taken_message message) {
@@ -184,9 +193,9 @@ JAUSCAT_DECL bool component_state::guard(std::string_view what, std::uint16_t co
         }
         has_failed_ = true;
         is_ready_ = false;
-        node_.log(net::to_jausip(self_) + ": exception of " + std::string{what} +
-                  (command_code != 0 ? text::message_name(command_code) : "") + ": " + why +
-                  "; the component is stopped");
+        node_->log(net::to_jausip(self_) + ": exception of " + std::string{what} +
+                   (command_code != 0 ? text::message_name(command_code) : "") + ": " + why +
+                   "; the component is stopped");
     } catch (...) { // of the application's log, and for want of memory
         has_failed_ = true;
         is_ready_ = false;
@@ -209,29 +218,39 @@ auto component_state::in_turn(auto&& work) {
 }
 
 JAUSCAT_DECL void component_state::tell_stopped() noexcept {
+    core_->machine.at_rest();
     if (!on_stopped || closed_) return;
     has_changed_ = true;
-    guard("when_stopped", on_stopped);
+    const auto call = on_stopped; // which may replace it
+    guard("when_stopped", call);
 }
 
 JAUSCAT_DECL void component_state::note_state(jaus::primary_status_code from, jaus::primary_status_code to) {
     using enum jaus::primary_status_code;
     has_changed_ = true;
     if (to != jaus::primary_status_code::ready) tell_stopped();
-    if (to == jaus::primary_status_code::ready && on_ready) guard("when_ready", on_ready);
-    if (!on_emergency || (from != emergency && to != emergency)) return;
-    const auto call = [&] { on_emergency(to == emergency); };
+    if (const auto tell = on_ready; to == jaus::primary_status_code::ready && tell) guard("when_ready", tell);
+    const auto tell = on_emergency;
+    if (!tell || (from != emergency && to != emergency)) return;
+    const auto call = [&] { tell(to == emergency); };
     guard("when_emergency", 0, call);
 }
 
-JAUSCAT_DECL void component_state::note_controller(const std::optional<jaus::controller>& by) {
+JAUSCAT_DECL void component_state::note_controller(const std::optional<jaus::controller>& by,
+                                                   jaus::control_change why) {
+    if (const auto lost = core_->machine.control().lost_mover(); lost && why == jaus::control_change::lost) {
+        node_->log(net::to_jausip(self_) + ": " + net::to_jausip(*lost) +
+                   ", the sender of its last motion command, is lost: it is stopped");
+        tell_stopped();
+    }
     const auto now_it_is = by ? std::optional{by->address} : std::nullopt;
     const auto before = std::exchange(controller_, now_it_is);
     if (before == now_it_is) return;
     has_changed_ = true;
     if (before) tell_stopped();
-    if (!on_controlled) return;
-    const auto call = [&] { on_controlled(now_it_is); };
+    const auto tell = on_controlled;
+    if (!tell) return;
+    const auto call = [&] { tell(now_it_is); };
     guard("when_controlled", 0, call);
 }
 
@@ -269,25 +288,26 @@ JAUSCAT_DECL void component_state::end_turn(time_point now, jaus::message_sink o
 JAUSCAT_DECL void component_state::ready() {
     is_ready_ = true;
     if (in_turn_ || !is_running_) return;
-    end_turn(net::now(), node_.net().out());
-    node_.wake();
+    end_turn(net::now(), node_->net().out());
+    node_->wake();
 }
 
 JAUSCAT_DECL void component_state::fail(std::string_view why) {
-    node_.log(net::to_jausip(self_) + ": fails: " + std::string{why});
+    if (node_ == nullptr) return;
+    node_->log(net::to_jausip(self_) + ": fails: " + std::string{why});
     has_failed_ = true;
     is_ready_ = false;
     if (!is_running_ || in_turn_) return;
-    end_turn(net::now(), node_.net().out());
-    node_.wake();
+    end_turn(net::now(), node_->net().out());
+    node_->wake();
 }
 
 JAUSCAT_DECL void component_state::reject_control() {
     if (!is_running_) return;
     const bool is_turn = in_turn_;
-    in_turn([&] { core_->machine.reject_control(node_.net().out()); });
-    if (!is_turn) end_turn(net::now(), node_.net().out());
-    node_.wake();
+    in_turn([&] { core_->machine.reject_control(node_->net().out()); });
+    if (!is_turn) end_turn(net::now(), node_->net().out());
+    node_->wake();
 }
 
 JAUSCAT_DECL void component_state::start(const jaus::identity& identity, bool beats, time_point now) {
@@ -302,7 +322,7 @@ JAUSCAT_DECL void component_state::start(const jaus::identity& identity, bool be
 JAUSCAT_DECL void component_state::stop() noexcept {
     if (!is_running_ || std::exchange(is_stopping_, true)) return;
     in_turn([&] { tell_stopped(); });
-    core_->others.end_all(boost::asio::error::operation_aborted, net::now(), node_.net().out());
+    core_->others.end_all(boost::asio::error::operation_aborted, net::now(), node_->net().out());
     is_running_ = false;
     is_stopping_ = false;
 }
@@ -342,8 +362,9 @@ JAUSCAT_DECL jaus::message_outcome component_state::handle(const jaus::header& h
     const auto report = std::ranges::find(gives_, head.command_code, &given_report::query_code);
     if (handler != takes_.end() || (report == gives_.end() && on_others)) {
         auto outcome = jaus::message_outcome::refused;
+        const auto others = handler != takes_.end() ? nullptr : on_others;
         const auto call = [&] {
-            outcome = handler != takes_.end() ? handler->handle({head, body, *this}) : on_others(head, body);
+            outcome = handler != takes_.end() ? handler->handle({head, body, *this}) : others(head, body);
         };
         guard("the handler of ", head.command_code, call);
         return outcome;
@@ -374,8 +395,8 @@ JAUSCAT_DECL void component_state::send_changes(time_point now, jaus::message_si
 JAUSCAT_DECL void component_state::changed() {
     has_changed_ = true;
     if (!is_running_ || in_turn_) return; // within a turn it is looked for at its end
-    end_turn(net::now(), node_.net().out());
-    node_.wake();
+    end_turn(net::now(), node_->net().out());
+    node_->wake();
 }
 
 JAUSCAT_DECL jaus::component_outcome
@@ -402,7 +423,7 @@ JAUSCAT_DECL void component_state::on_time(time_point now, jaus::message_sink ou
     in_turn([&] {
         for (auto& one : periodic) {
             if (one.due > now || !is_running_) continue;
-            one.due += ((now - one.due) / one.period + 1) * one.period;
+            one.due = saturating_add(one.due, ((now - one.due) / one.period + 1) * one.period);
             guard("a periodic function", one.call);
             has_changed_ = true;
         }
@@ -422,7 +443,7 @@ JAUSCAT_DECL std::optional<time_point> component_state::next_event() const {
 JAUSCAT_DECL void component_state::on_lost(const jaus::address& who) {
     if (!is_running_) return;
     in_turn([&] { core_->machine.on_lost(who); });
-    end_turn(net::now(), node_.net().out());
+    end_turn(net::now(), node_->net().out());
 }
 
 JAUSCAT_DECL void component_state::list_messages(listing takes, listing sends) const {

@@ -13,6 +13,7 @@ struct node_part {
     std::shared_ptr<void> owner{};                          ///< which the node keeps
     jaus::hook<void()> start{};                             ///< the node has started
     jaus::hook<void()> stop{};                              ///< the node will stop: its messages still go out
+    jaus::hook<void()> end{};                               ///< the node ends: it is not referred to any more
     jaus::hook<bool(const jaus::address& component)> has{}; ///< one of its components has this ID
 };
 

@@ -1,11 +1,11 @@
 // A node behind its handle.
 #pragma once
 #include <jauscat/app/impl/component_state.hpp>
+#include <jauscat/app/impl/node_context.hpp>
 #include <jauscat/app/impl/node_part.hpp>
 #include <jauscat/app/node_options.hpp>
 #include <jauscat/net/node/jaus_node.hpp>
 
-#include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 
 #include <memory>
@@ -32,7 +32,12 @@ class node_state {
     /// Of the component's state machines: its next event may be earlier.
     void wake() { net_.wake(); }
 
-    [[nodiscard]] boost::asio::io_context& context() noexcept { return *context_; }
+    [[nodiscard]] boost::asio::io_context& context() noexcept { return context_->get(); }
+    [[nodiscard]] const std::shared_ptr<node_context>& shared_context() const noexcept { return context_; }
+    /// Where it is not the application's: components keep it.
+    [[nodiscard]] const std::shared_ptr<boost::asio::io_context>& own_context() const noexcept { return own_context_; }
+    /// The node ends: what outlives it does not refer to it any more.
+    void release() noexcept;
     [[nodiscard]] bool is_open() const noexcept { return options_.open; }
     [[nodiscard]] net::jaus_node& net() noexcept { return net_; }
     [[nodiscard]] const net::jaus_node& net() const noexcept { return net_; }
@@ -41,12 +46,16 @@ class node_state {
 
   private:
     net::jaus_node_options net_options();
+    /// Calls the handlers of what `stop` has aborted.
+    void finish();
+    /// Throws `std::logic_error` where the node runs, or may be in a call of one of its functions.
+    void require_stopped() const;
     /// Of the components, for the log.
     [[nodiscard]] std::string names() const;
 
     node_options options_;
-    std::unique_ptr<boost::asio::io_context> own_context_{};
-    boost::asio::io_context* context_;
+    std::shared_ptr<boost::asio::io_context> own_context_{};
+    std::shared_ptr<node_context> context_;
     std::optional<boost::asio::signal_set> signals_{}; ///< while `run` works
     bool is_stopping_{};
     bool is_stopped_{};

@@ -28,9 +28,10 @@ inline net::jaus_config read_config(const node_options& options) {
 
 JAUSCAT_DECL node_state::node_state(boost::asio::io_context* context, node_options options)
     : options_{std::move(options)},
-      own_context_{context == nullptr ? std::make_unique<boost::asio::io_context>(1) : nullptr},
-      context_{context == nullptr ? own_context_.get() : context},
-      net_{*context_, read_config(options_), net_options()} {}
+      own_context_{context == nullptr ? std::make_shared<boost::asio::io_context>(1) : nullptr},
+      context_{context == nullptr ? std::make_shared<node_context>(own_context_)
+                                  : std::make_shared<node_context>(*context)},
+      net_{context_->get(), read_config(options_), net_options()} {}
 
 JAUSCAT_DECL net::jaus_node_options node_state::net_options() {
     net::jaus_node_options net{.accept = options_.open ? net::access::open : net::access::closed,
@@ -85,15 +86,26 @@ JAUSCAT_DECL bool node_state::has(const jaus::address& self) const {
            std::ranges::any_of(parts_, [&](const auto& one) { return one.has(self); });
 }
 
+JAUSCAT_DECL void node_state::require_stopped() const {
+    if (net_.running()) throw std::logic_error{"the node is running"};
+    const auto is_at_work = [](const auto& one) { return one->is_in_turn(); };
+    if (net_.in_turn() || is_stopping_ || std::ranges::any_of(components_, is_at_work))
+        throw std::logic_error{"a node is not started by a function that it calls: post the start"};
+}
+
 JAUSCAT_DECL void node_state::start() {
+    require_stopped(); // before anything is changed: the components' state machines are built anew
     is_stopped_ = false;
+    context_->open();
     const auto now = net::now();
     const auto& config = net_.config();
     const bool has_manager = net::detail::covers(config.me().jausip, net_.manager());
     static constexpr auto nothing_more = [](const jaus::header&, bytes) { return jaus::message_outcome::unhandled; };
-    std::erase_if(components_, [&](const auto& one) { return one->is_closed() && !one->is_added; });
+    std::erase_if(components_, [&](const auto& one) {
+        if (one->is_closed() && one->is_added) net_.remove(one->self());
+        return one->is_closed();
+    });
     for (const auto& one : components_) {
-        if (one->is_closed()) continue;
         one->start(net::detail::identity_of(config, one->self(), one->identity()), !has_manager, now);
         if (!std::exchange(one->is_added, true)) net_.add(*one, nothing_more);
     }
@@ -119,6 +131,20 @@ JAUSCAT_DECL void node_state::stop() {
     net_.stop();
     signals_.reset(); // they keep a context at work
     if (own_context_) own_context_->stop();
+    context_->close();
+}
+
+JAUSCAT_DECL void node_state::finish() {
+    if (!own_context_) return; // the program goes on with its own
+    own_context_->restart();
+    bool is_last = false;
+    boost::asio::post(*own_context_, [&] { is_last = true; });
+    while (!is_last) own_context_->run_one();
+}
+
+JAUSCAT_DECL void node_state::release() noexcept {
+    for (const auto& one : components_) one->lose_node();
+    for (const auto& one : parts_) one.end();
 }
 
 JAUSCAT_DECL std::string node_state::names() const {
@@ -131,17 +157,25 @@ JAUSCAT_DECL std::string node_state::names() const {
 
 JAUSCAT_DECL int node_state::run() {
     try {
-        if (own_context_) own_context_->restart();
-        signals_.emplace(*context_, SIGINT, SIGTERM).async_wait([this](boost::system::error_code error, int) {
+        require_stopped();
+    } catch (const std::logic_error& e) {
+        log(e.what());
+        return EXIT_FAILURE;
+    }
+    try {
+        auto& context = context_->get();
+        if (context.stopped()) context.restart(); // one of the program may have run out of work before
+        signals_.emplace(context, SIGINT, SIGTERM).async_wait([this](boost::system::error_code error, int) {
             if (!error) stop();
         });
         start();
         log("JAUS on " + net::detail::text(net_.config().me().endpoint()) + names() + " (Ctrl-C ends)");
         if (own_context_)
-            context_->run();
+            context.run();
         else
-            while (!is_stopped_ && context_->run_one() != 0) {} // the program may have other work in it
+            while (!is_stopped_ && context.run_one() != 0) {} // the program may have other work in it
         stop();
+        finish();
         return EXIT_SUCCESS;
     } catch (const std::exception& e) {
         stop();
@@ -155,6 +189,7 @@ JAUSCAT_DECL void end_node::operator()(node_state* node) const noexcept {
         node->stop();
     } catch (...) { // of the log
     }
+    node->release();
     delete node;
 }
 

@@ -6,8 +6,12 @@
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -29,9 +33,10 @@ class function_operation final : public operation<bytes> {
 class search : public std::enable_shared_from_this<search> {
   public:
     /// `name` is that of the options, which may refer to it no longer.
-    search(clients& by, const jaus::address& self, const find_options& options, std::string name,
-           operation_ptr<std::vector<found_component>> done)
-        : by_{by},
+    search(const node_state& node, clients& by, const jaus::address& self, const find_options& options,
+           std::string name, operation_ptr<std::vector<found_component>> done)
+        : node_{node},
+          by_{by},
           self_{self},
           options_{options},
           name_{std::move(name)},
@@ -39,52 +44,94 @@ class search : public std::enable_shared_from_this<search> {
           done_{std::move(done)} {}
 
     void start(const std::vector<jaus::address>& managers) {
+        for (const auto& manager : managers) sources_.push_back({manager});
         ++open_; // until all have been asked
-        for (const auto& manager : managers)
-            ask(manager, jaus::query_configuration{jaus::query_field::node_configuration},
-                [manager](search& mine, const jaus::report_configuration& report) { mine.found(manager, report); });
+        for (std::size_t i = 0; i != sources_.size(); ++i)
+            ask(sources_[i].manager, jaus::query_configuration{jaus::query_field::node_configuration},
+                [i](search& mine, const jaus::report_configuration& report) { mine.found(mine.sources_[i], report); });
         close();
     }
 
   private:
-    template <class Query> void ask(const jaus::address& whom, const Query& query, auto use) {
+    // So that none can stop the node, or the search of the others.
+    static constexpr std::size_t most_of_one = 1024; ///< components of one node manager
+    static constexpr std::size_t most_asked = 16;    ///< of them at a time
+
+    struct source {
+        jaus::address manager{};
+        std::vector<std::size_t> waiting{}; ///< places in all_
+        std::size_t questions{};            ///< that are not answered
+        bool is_asking{};
+    };
+
+    /// `use` gets the report, if one comes; `over` is called then.
+    template <class Query>
+    void ask(const jaus::address& whom, const Query& query, auto use, std::function<void(search&)> over = {}) {
         std::vector<std::byte> body;
         if (encode_into(body, query) != wire::errc::ok) return;
         ++open_;
-        auto answered = [mine = shared_from_this(), use](error_code error, bytes answer) {
+        auto answered = [mine = shared_from_this(), use, over = std::move(over)](error_code error, bytes answer) {
             wire::errc why{};
             const owned<jaus::report_of<Query>> report{answer, why};
             if (error == boost::asio::error::operation_aborted) mine->done_->complete(error, {});
             if (!error && why == wire::errc::ok) use(*mine, *report);
+            if (over && !mine->done_->is_done()) over(*mine);
             mine->close();
         };
         by_.ask(whom, {jaus::command_code_of<Query>, jaus::command_code_of<jaus::report_of<Query>>}, std::move(body),
                 {.timeout = until_.remaining(net::now()), .acknowledged = false},
                 std::make_shared<function_operation>(std::move(answered)));
     }
-    void found(const jaus::address& manager, const jaus::report_configuration& report) {
+    void found(source& by, const jaus::report_configuration& report) {
+        std::size_t left_out = 0;
         for (const auto& node : report.node)
             for (const auto& one : node.component) {
-                const jaus::address who{one.instance_id, one.component_id, node.node_id, manager.subsystem};
+                const jaus::address who{one.instance_id, one.component_id, node.node_id, by.manager.subsystem};
                 const bool is_wanted = options_.component == 0 || options_.component == who.component;
-                if (!is_wanted || who == self_ || place_of(who) != all_.end()) continue;
+                if (!is_wanted || who == self_ || known_.contains(std::bit_cast<std::uint32_t>(who))) continue;
+                if (by.waiting.size() == most_of_one) {
+                    ++left_out;
+                    continue;
+                }
+                known_.insert(std::bit_cast<std::uint32_t>(who));
+                by.waiting.push_back(all_.size());
                 all_.push_back({.address = who});
-                ask(who, jaus::query_identification{jaus::query_type::component_identification},
-                    [who](search& mine, const jaus::report_identification& is) {
-                        mine.place_of(who)->identification = is.identification;
-                    });
-                ask(who, jaus::query_services{}, [who](search& mine, const jaus::report_services& has) {
+            }
+        if (left_out != 0)
+            node_.log(net::to_jausip(by.manager) + " reports " + std::to_string(left_out + most_of_one) +
+                      " components: only " + std::to_string(most_of_one) + " are asked");
+        std::ranges::reverse(by.waiting);
+        ask_more(by);
+    }
+    void ask_more(source& by) {
+        if (std::exchange(by.is_asking, true)) return; // a question that cannot be sent ends at once
+        while (!by.waiting.empty() && by.questions <= 2 * (most_asked - 1)) {
+            const auto place = by.waiting.back();
+            by.waiting.pop_back();
+            by.questions += 2;
+            const auto answered = [&by](search& mine) {
+                --by.questions;
+                mine.ask_more(by);
+            };
+            ask(
+                all_[place].address, jaus::query_identification{jaus::query_type::component_identification},
+                [place](search& mine, const jaus::report_identification& is) {
+                    mine.all_[place].identification = is.identification;
+                },
+                answered);
+            ask(
+                all_[place].address, jaus::query_services{},
+                [place](search& mine, const jaus::report_services& has) {
                     for (const auto& service : has.service) {
                         for (const auto& message : service.input_message)
-                            mine.place_of(who)->takes.push_back(message.command_code);
+                            mine.all_[place].takes.push_back(message.command_code);
                         for (const auto& message : service.output_message)
-                            mine.place_of(who)->sends.push_back(message.command_code);
+                            mine.all_[place].sends.push_back(message.command_code);
                     }
-                });
-            }
-    }
-    [[nodiscard]] std::vector<found_component>::iterator place_of(const jaus::address& who) {
-        return std::ranges::find(all_, who, &found_component::address);
+                },
+                answered);
+        }
+        by.is_asking = false;
     }
     void close() {
         if (--open_ != 0) return;
@@ -99,6 +146,7 @@ class search : public std::enable_shared_from_this<search> {
         done_->complete({}, std::move(all_));
     }
 
+    const node_state& node_;
     clients& by_;
     jaus::address self_;
     find_options options_;
@@ -106,18 +154,20 @@ class search : public std::enable_shared_from_this<search> {
     deadline until_;
     operation_ptr<std::vector<found_component>> done_;
     std::vector<found_component> all_{};
+    std::vector<source> sources_{};
+    std::unordered_set<std::uint32_t> known_{};
     std::size_t open_{};
 };
 
 JAUSCAT_DECL void begin_find(const std::shared_ptr<component_state>& by, const find_options& options,
                              const operation_ptr<std::vector<found_component>>& done) {
-    enqueue(by, done, [by, options, name = std::string{options.name}, done](clients& all) {
+    enqueue(by, done, [options, name = std::string{options.name}, done](const auto& by, clients& all) {
         std::vector<jaus::address> managers{by->node().net().manager()};
         if (const auto* const present = by->node().net().present(); present != nullptr)
             present->for_each([&](const jaus::address& who) {
                 if (jaus::is_node_manager(who) && who != managers.front()) managers.push_back(who);
             });
-        std::make_shared<search>(all, by->self(), options, name, done)->start(managers);
+        std::make_shared<search>(by->node(), all, by->self(), options, name, done)->start(managers);
     });
 }
 

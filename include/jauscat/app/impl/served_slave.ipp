@@ -2,6 +2,8 @@
 #pragma once
 #include <jauscat/app/impl/bridge_state.hpp>
 #include <jauscat/app/impl/node_state.hpp>
+#include <jauscat/ethercat/cia402/error_text.hpp>
+#include <jauscat/schema/ethercat/cia402.hpp>
 #include <jauscat/text/jaus.hpp>
 
 #include <boost/asio/post.hpp>
@@ -191,22 +193,20 @@ JAUSCAT_DECL void served_slave::found(std::uint16_t position, const ethercat::id
 // ---- What happens.
 
 JAUSCAT_DECL bridging::observer served_slave::observer() noexcept {
-    return {.slave_up = jaus::bound<&served_slave::slave_up>(*this),
-            .bring_up_failed = jaus::bound<&served_slave::bring_up_failed>(*this),
-            .slave_lost = jaus::bound<&served_slave::slave_lost>(*this),
-            .slave_emergency = jaus::bound<&served_slave::slave_emergency>(*this),
-            .clocks_agree = jaus::bound<&served_slave::clocks_agree>(*this),
-            .no_keep_alive = jaus::bound<&served_slave::no_keep_alive>(*this),
-            .changed_state = jaus::bound<&served_slave::changed_state>(*this),
-            .changed_controller = watcher().changed_controller,
-            .stop_required = watcher().stop_required,
-            .stop_refused = jaus::bound<&served_slave::stop_refused>(*this),
-            .settled = jaus::bound<&served_slave::settled>(*this),
-            .translated = watcher().translated,
-            .asks_report = watcher().asks_report,
-            .into_image = watcher().into_image,
-            .from_image = watcher().from_image,
-            .refused = jaus::bound<&served_slave::refused>(*this)};
+    auto all = watcher(); // what is not handled here is the application's alone
+    all.slave_up = jaus::bound<&served_slave::slave_up>(*this);
+    all.bring_up_failed = jaus::bound<&served_slave::bring_up_failed>(*this);
+    all.slave_lost = jaus::bound<&served_slave::slave_lost>(*this);
+    all.slave_emergency = jaus::bound<&served_slave::slave_emergency>(*this);
+    all.clocks_agree = jaus::bound<&served_slave::clocks_agree>(*this);
+    all.no_keep_alive = jaus::bound<&served_slave::no_keep_alive>(*this);
+    all.changed_state = jaus::bound<&served_slave::changed_state>(*this);
+    all.stop_refused = jaus::bound<&served_slave::stop_refused>(*this);
+    all.settled = jaus::bound<&served_slave::settled>(*this);
+    all.faulted = jaus::bound<&served_slave::faulted>(*this);
+    all.fault_ended = jaus::bound<&served_slave::fault_ended>(*this);
+    all.refused = jaus::bound<&served_slave::refused>(*this);
+    return all;
 }
 
 inline std::string_view text_of(bridging::loss what) noexcept {
@@ -240,6 +240,11 @@ inline std::string text_of(const bridging::refusal_reason& why) {
     if (why.why == bridging::refusal::by_slave && why.of_master.code != ethercat::master_errc::ok)
         text += ": " + error_of(why.of_master).message();
     return text;
+}
+inline std::string text_of(const bridging::drive_fault& what) {
+    if (what.code != cia402::error_codes::none)
+        return numbered("%04Xh", what.code) + " (" + std::string{cia402::describe_error_code(what.code)} + ")";
+    return what.reason.empty() ? "no error code (603Fh is 0, or not in the process data)" : std::string{what.reason};
 }
 inline std::string_view text_of(bridging::stop_order what) noexcept {
     switch (what) {
@@ -320,6 +325,24 @@ JAUSCAT_DECL void served_slave::stop_refused(const bridging::component& unit, br
 JAUSCAT_DECL void served_slave::settled(const bridging::component& unit) {
     watcher().settled(unit);
     bridge_.call_later(&bridge_state::on_at_rest, unit.self());
+}
+JAUSCAT_DECL std::string served_slave::name_of_drive(const bridging::component& unit, std::size_t slave) const {
+    for (const auto* const each : components_)
+        if (each->unit && &*each->unit == &unit && slave < each->slaves().size()) return each->slaves()[slave]->name();
+    return "slave " + std::to_string(slave) + " of the component";
+}
+JAUSCAT_DECL void served_slave::faulted(const bridging::component& unit, const bridging::drive_fault& what) {
+    watcher().faulted(unit, what);
+    limited_(net::now(), [&] {
+        return net::to_jausip(unit.self()) + ": " + name_of_drive(unit, what.slave) +
+               " has a drive fault: " + text_of(what);
+    });
+    bridge_.call_later(&bridge_state::on_faulted, unit.self(), what);
+}
+JAUSCAT_DECL void served_slave::fault_ended(const bridging::component& unit) {
+    watcher().fault_ended(unit);
+    limited_(net::now(), [&] { return net::to_jausip(unit.self()) + ": no drive has a fault any more"; });
+    bridge_.call_later(&bridge_state::on_fault_ended, unit.self());
 }
 JAUSCAT_DECL void served_slave::refused(const bridging::component& unit, const jaus::header& message,
                                         const bridging::refusal_reason& why) {

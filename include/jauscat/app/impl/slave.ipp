@@ -21,7 +21,7 @@ JAUSCAT_DECL slave_info slave::info() const {
     if (error) throw boost::system::system_error{error};
     return found;
 }
-JAUSCAT_DECL boost::asio::io_context& slave::context() const noexcept { return bus_->context(); }
+JAUSCAT_DECL boost::asio::any_io_executor slave::executor() const noexcept { return bus_->context().get_executor(); }
 JAUSCAT_DECL void slave::read(std::uint16_t index, std::uint8_t subindex, std::optional<std::size_t> size,
                               app::operation_ptr<app::object_bytes> done) const {
     bus_->read(which_, index, subindex, size, std::move(done));

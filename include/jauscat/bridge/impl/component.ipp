@@ -38,9 +38,9 @@ JAUSCAT_FUNCTION void component::on_slave_lost(time_point now, jaus::message_sin
 
 JAUSCAT_FUNCTION void component::on_step(const std::optional<drive_fault>& fault, time_point now,
                                          jaus::message_sink out) {
-    const bool was_faulted = fault_.has_value(), is_new = fault && fault != fault_;
+    const bool was_faulted = fault_.has_value();
     fault_ = fault;
-    if (is_new) front_.watcher().faulted(*this, *fault);
+    tell_faults(fault);
     if (was_faulted && !fault) front_.watcher().fault_ended(*this);
     if (!was_faulted && fault)
         fail(stop_cause::drive_fault, out);
@@ -185,11 +185,15 @@ JAUSCAT_FUNCTION void component::changed_state(jaus::primary_status_code from, j
         require_rest(ends_ ? stop_cause::program_ends : stop_cause::state);
 }
 
-JAUSCAT_FUNCTION void component::changed_controller(const std::optional<jaus::controller>&, jaus::control_change why) {
+JAUSCAT_FUNCTION void component::changed_controller(const std::optional<jaus::controller>& by,
+                                                    jaus::control_change why) {
+    const bool is_lost = why == jaus::control_change::lost;
+    if (is_lost && core_.control().lost_mover()) return require_rest(stop_cause::sender_lost);
     front_.watcher().changed_controller(*this, why);
-    if (why == jaus::control_change::lost) require_rest(stop_cause::controller_lost);
-    // Queued motion commands of others than the new controller are dropped.
+    if (is_lost) require_rest(stop_cause::controller_lost);
+    // Queued motion commands of others than the new controller are dropped, and none of theirs is executed later.
     if (why == jaus::control_change::lost || why == jaus::control_change::released) return;
+    if (by && process_ && process_->has_command_of_others(by->address)) require_rest(stop_cause::control_taken);
     foreign_motion_is_dropped_ = true;
     front_.wake();
 }
@@ -211,14 +215,35 @@ JAUSCAT_FUNCTION void component::require_stop_of_state(stop_cause why) {
 
 JAUSCAT_FUNCTION void component::require_rest(stop_cause why) {
     stops_.require_rest();
+    core_.at_rest();
     drops_motion();
     front_.watcher().stop_required(*this, stop_order::rest, why);
 }
 
 JAUSCAT_FUNCTION void component::require_emergency(stop_cause why) {
     stops_.require_emergency();
+    core_.at_rest();
     drops_motion();
     front_.watcher().stop_required(*this, stop_order::emergency, why);
+}
+
+JAUSCAT_FUNCTION void component::tell_faults(const std::optional<drive_fault>& one) {
+    if (!one) {
+        told_fault_count_ = 0;
+        return;
+    }
+    std::array<drive_fault, fault_capacity> faults{};
+    auto count = process_ ? process_->faults(faults) : 0;
+    if (count == 0) faults[count++] = *one;
+    const auto known = told_faults_;
+    const auto known_end = known.begin() + static_cast<std::ptrdiff_t>(told_fault_count_);
+    told_fault_count_ = 0;
+    for (const auto& each : std::span{faults}.first(count)) {
+        const auto told = std::span{told_faults_}.first(told_fault_count_);
+        if (std::ranges::find(told, each) != told.end()) continue; // another axis of the same drive
+        told_faults_[told_fault_count_++] = each;
+        if (std::find(known.begin(), known_end, each) == known_end) front_.watcher().faulted(*this, each);
+    }
 }
 
 JAUSCAT_FUNCTION void component::show_pending_stops() noexcept {

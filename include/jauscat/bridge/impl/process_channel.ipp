@@ -22,12 +22,31 @@ JAUSCAT_FUNCTION bool process_channel::has_inputs_within(duration limit, time_po
         fronts(), [&](const slave_front* each) { return each->data().status.has_inputs_within(limit, now); });
 }
 
-JAUSCAT_FUNCTION result<void, translate::errc> process_channel::start(duration period) {
+JAUSCAT_FUNCTION result<void, translate::errc> process_channel::start(const process_times& times) {
     has_rest_outputs_ = false;
-    const auto started = part_.start(slaves(), period);
+    misfit_ = part_.use_times(times);
+    const auto started = part_.start(slaves(), times.period);
     is_started_ = static_cast<bool>(started);
     has_begun_ = has_begun_ || is_started_;
     return started;
+}
+
+JAUSCAT_FUNCTION std::optional<drive_fault> process_channel::step(time_point now) {
+    const auto fault = part_.step(slaves(), now);
+    return misfit_.empty() ? fault : drive_fault{.reason = misfit_};
+}
+
+JAUSCAT_FUNCTION bool process_channel::has_command_of_others(const jaus::address& sender) const noexcept {
+    return std::ranges::any_of(std::span{waiting_}.first(waiting_count_),
+                               [&](const waiting& each) { return !each.stop && each.header.source != sender; });
+}
+
+JAUSCAT_FUNCTION std::optional<jaus::header> process_channel::make_room() noexcept {
+    if (waiting_count_ < waiting_.size()) return std::nullopt;
+    const auto first = waiting_.front().header;
+    std::shift_left(waiting_.begin(), waiting_.end(), 1);
+    --waiting_count_;
+    return first;
 }
 
 JAUSCAT_FUNCTION result<std::uint32_t, translate::errc> process_channel::command(const jaus::header& head, bytes body,
@@ -35,7 +54,7 @@ JAUSCAT_FUNCTION result<std::uint32_t, translate::errc> process_channel::command
     const auto number = part_.command(head, body, slaves(), now);
     if (!number) return number;
     has_rest_outputs_ = false;
-    waiting_[waiting_count_++] = {head, *number, deadline{now, limit}, {}};
+    waiting_[waiting_count_++] = {head, *number, limit, deadline{now, limit}, {}};
     return number;
 }
 
@@ -47,6 +66,13 @@ JAUSCAT_FUNCTION std::optional<process_channel::ended> process_channel::next_end
     if (waiting_count_ == 0) return std::nullopt;
     const auto last = part_.executed(slaves());
     const auto waits = std::span{waiting_}.first(waiting_count_);
+    const bool is_preparing = part_.is_preparing();
+    for (waiting& each : waits) {
+        const auto goes_on = [&] {
+            return each.until.is_reached(now) && !has_reached(each.number, last) && part_.is_braking(slaves());
+        };
+        if (each.stop ? goes_on() : is_preparing) each.until = deadline{now, each.limit};
+    }
     const auto found = std::ranges::find_if(
         waits, [&](const waiting& each) { return has_reached(each.number, last) || each.until.is_reached(now); });
     if (found == waits.end()) return std::nullopt;

@@ -50,6 +50,13 @@ JAUSCAT_FUNCTION void ring::apply_options() {
     clocks_.set_period(options_.period);
 }
 
+JAUSCAT_FUNCTION void ring::tell_period() {
+    if (std::exchange(told_period_, options_.period) == options_.period) return;
+    for (place& each : places())
+        for (component* unit : each.front->components())
+            if (auto* const process = unit->process()) process->part().change_period(options_.period);
+}
+
 JAUSCAT_FUNCTION bool ring::cancel_shared() noexcept {
     if (work_ != work::shared) return false;
     master_.cancel(ethercat::master_errc::timeout);
@@ -900,9 +907,10 @@ JAUSCAT_FUNCTION void ring::rebuild_process_data(time_point now) {
         if (is_exchanged(each) && record != nullptr) records_[count++] = *record;
     }
     data_.set_slaves(records_.first(count), {.watch_slaves = true, .logical_base = logical_base_});
-    has_process_data_ = data_.image().size != 0;
+    // The outputs are those of the cycle that is due next: it keeps its time, also where the next ones are shorter.
+    const bool had_process_data = std::exchange(has_process_data_, data_.image().size != 0);
     if (!cycles()) cycle_begun_.reset();
-    if (!cycles() || next_cycle_ > saturating_add(now, interval())) next_cycle_ = now;
+    if (!cycles() || (!had_process_data && next_cycle_ > saturating_add(now, interval()))) next_cycle_ = now;
     exchanged_ = count;
     for (place& each : places()) {
         const auto* const record = is_exchanged(each) ? master_.find(each.front->station()) : nullptr;
@@ -962,6 +970,7 @@ JAUSCAT_FUNCTION void ring::watch_cycles(time_point now, jaus::message_sink out)
 JAUSCAT_FUNCTION void ring::skip_to_next_cycle(time_point now) noexcept {
     const auto soonest = now + interval() / 2;
     next_cycle_ += interval();
+    tell_period(); // the next outputs are sent then
     if (next_cycle_ >= soonest) return;
     next_cycle_ = clocks_.runs() ? next_cycle_ + ((soonest - next_cycle_) / interval() + 1) * interval() : soonest;
 }
@@ -1008,7 +1017,8 @@ JAUSCAT_FUNCTION void ring::start_process_data(place& at, time_point now, jaus::
                 return each != at.front && !each->up();
             }))
             continue;
-        if (!process->start(options_.period))
+        const auto& timing = unit->front().timing();
+        if (!process->start({options_.period, timing.rest_limit, timing.ramp_limit}))
             return lose(at, loss::no_process_data, {.code = ethercat::master_errc::size_mismatch}, now, out);
     }
     at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), true);
@@ -1022,6 +1032,7 @@ JAUSCAT_FUNCTION void ring::use_process_data(time_point now, jaus::message_sink 
         for (component* unit : each.front->components()) {
             auto* const process = unit->process();
             if (process == nullptr || process->fronts().front() != each.front || !process->has_begun()) continue;
+            put_stop(*unit, *process, now, out); // a command that came before is not in these outputs
             if (steps) unit->on_step(process->step(now), now, out);
             take_confirmations(*unit, *process, now, out);
             put_stop(*unit, *process, now, out);
@@ -1060,14 +1071,15 @@ JAUSCAT_FUNCTION void ring::put_orders(component& unit, process_channel& process
         orders.remove(*next);
         if (is_query(head))
             answer(unit, process, head, body, now, out);
-        else if (const auto why = put_command(unit, process, head, body, now))
+        else if (const auto why = put_command(unit, process, head, body, now, out))
             unit.on_not_executed(head, *why, now, out);
     }
 }
 
 JAUSCAT_FUNCTION std::optional<refusal_reason> ring::put_command(component& unit, process_channel& process,
-                                                                 const jaus::header& head, bytes body, time_point now) {
-    if (process.is_full()) return refusal_reason{.why = refusal::queue_full};
+                                                                 const jaus::header& head, bytes body, time_point now,
+                                                                 jaus::message_sink out) {
+    if (const auto first = process.make_room()) unit.on_not_executed(*first, {.why = refusal::superseded}, now, out);
     const auto number = process.command(head, body, unit.front().timing().data_limit, now);
     if (!number) return refusal_reason{.why = refusal::not_translated, .error = number.error()};
     unit.front().watcher().into_image(unit.front(), *number, unit.front().data().outputs);

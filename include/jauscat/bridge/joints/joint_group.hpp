@@ -108,6 +108,10 @@ template <std::size_t Joints> class joint_group {
         }
         return *limited;
     }
+    /// The cycles have this period from now on; set-points keep the one of axis_options::cycle.
+    constexpr void change_period(duration period) noexcept {
+        for (auto& each : axes_) each.change_period(period);
+    }
     /// To rest by ramp, then without torque.
     constexpr void stop() noexcept {
         forget_command();
@@ -133,10 +137,13 @@ template <std::size_t Joints> class joint_group {
         for (std::size_t i = 0; i != Joints; ++i) {
             const drive_image drive = slaves_[i] < drives.size() ? drives[slaves_[i]] : drive_image{};
             if (drive.age == input_age::late && (pending_ || in_force_)) continue;
-            if (drive.age != input_age::lost && places_[i].statusword.fits(drive.inputs.size()))
-                axes_[i].on_cycle(places_[i].load(drive.inputs), now);
-            else
+            if (drive.age != input_age::lost && places_[i].statusword.fits(drive.inputs.size())) {
+                auto feedback = places_[i].load(drive.inputs);
+                feedback.is_current = drive.age == input_age::current;
+                axes_[i].on_cycle(feedback, now);
+            } else {
                 axes_[i].on_lost();
+            }
         }
         if (has_failed() && !is_emergency_) stop();
         for (std::size_t i = 0; i != Joints; ++i)

@@ -9,10 +9,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace jauscat::bridging {
 
@@ -32,11 +35,25 @@ template <std::size_t Joints> class joint_part final : public process_part {
         std::size_t count = 0;
         for (std::size_t i = 0; i != Joints; ++i) {
             if (joints_[i].slave != slave) continue;
+            cycles_[i] = period;
             start_up_[i] = cia402::axis_start_up{period, joints_[i].places, joints_[i].drive_axis};
             for (const auto& each : start_up_[i].values())
                 commands_[count++] = {.index = each.index, .subindex = each.subindex, .data = each.data};
         }
         return std::span{commands_}.first(count);
+    }
+    /// The ramp from the highest velocity of each joint has to end within the limit. A stop whose ramp takes longer
+    /// than `ramp_limit` is a quick stop.
+    [[nodiscard]] std::string_view use_times(const process_times& times) override {
+        ramp_limit_ = times.ramp_limit == duration{} ? duration::max() : times.ramp_limit;
+        if (times.rest_limit == duration{} || !has_ramps()) return {};
+        for (std::size_t i = 0; i != Joints; ++i) {
+            const auto& axis = joints_[i].axis;
+            const double needed = axis.deceleration > 0 ? axis.max_velocity / axis.deceleration : most_seconds;
+            if (needed > std::chrono::duration<double>{times.rest_limit}.count())
+                return misfit(i, needed, times.rest_limit);
+        }
+        return {};
     }
     /// Errors: wrong_size (process data that lack a joint's object, or its slave), out_of_range (parameters of a joint,
     /// a period that 60C2h cannot have).
@@ -45,14 +62,21 @@ template <std::size_t Joints> class joint_part final : public process_part {
             if (each.slave >= slaves.size() || each.slave >= most_drives ||
                 !fits(each.places, slaves[each.slave].outputs.size(), slaves[each.slave].inputs.size()))
                 return translate::errc::wrong_size;
-            each.axis.cycle = period;
         }
-        group_ = joint_group<Joints>{joints_};
+        auto joints = joints_;
+        for (std::size_t i = 0; i != Joints; ++i) {
+            auto& axis = joints[i].axis;
+            axis.cycle = cycles_[i] == duration{} ? period : cycles_[i]; // as 60C2h, though the period is another now
+            axis.ramp_time = std::min(axis.ramp_time, ramp_limit_);
+        }
+        group_ = joint_group<Joints>{joints};
+        group_.change_period(period);
         if (!group_.is_usable() || !cia402::interpolation_period_of(period)) return translate::errc::out_of_range;
         period_ = period;
         executed_ = number_;
         return {};
     }
+    void change_period(duration period) override { group_.change_period(period); }
     [[nodiscard]] bool takes(std::uint16_t command_code) const override {
         return group_.serves(command_code) || group_.is_report(report_of(command_code));
     }
@@ -66,6 +90,8 @@ template <std::size_t Joints> class joint_part final : public process_part {
         is_stop_ = false;
         return ++number_;
     }
+    /// Until all axes are enabled in the mode of the command; axis_options::step_time bounds each step.
+    [[nodiscard]] bool is_preparing() const override { return group_.state() == joint_group_state::starting; }
     std::uint32_t stop(stop_order what, slave_group slaves) override {
         if (what == stop_order::emergency)
             group_.emergency();
@@ -75,7 +101,19 @@ template <std::size_t Joints> class joint_part final : public process_part {
         is_stop_ = true;
         executed_ = number_++;
         exchange(slaves, last_); // the outputs of the next frame
+        for (std::size_t i = 0; i != Joints; ++i) speeds_[i] = speed_of(i);
         return number_;
+    }
+    [[nodiscard]] bool is_braking(slave_group slaves) override {
+        bool all = is_stop_ && progress_ == progress::answered;
+        for (std::size_t i = 0; i != Joints; ++i) {
+            const bool is_at_rest = slaves[joints_[i].slave].outputs.empty() || group_.is_at_rest(i);
+            const double speed = speed_of(i);
+            all = all &&
+                  (is_at_rest || (group_.axis(i).error().code == cia402::axis_errc::ok && speed < speeds_[i] * 3 / 4));
+            speeds_[i] = speed;
+        }
+        return all;
     }
     [[nodiscard]] std::uint32_t executed(slave_group) const override { return executed_; }
     [[nodiscard]] result<std::span<std::byte>> answer(const jaus::header& query, std::span<const std::byte>,
@@ -96,14 +134,20 @@ template <std::size_t Joints> class joint_part final : public process_part {
         advance(slaves, now);
         if (progress_ == progress::answered && (!is_stop_ || is_at_rest(slaves))) executed_ = number_;
         for (std::size_t i = 0; i != Joints; ++i)
-            if (const auto& error = group_.axis(i).error(); error.code != cia402::axis_errc::ok)
-                return drive_fault{joints_[i].slave, error.drive_code};
+            if (const auto fault = fault_of(i)) return fault;
         return std::nullopt;
+    }
+    [[nodiscard]] std::size_t faults(std::span<drive_fault> out) const override {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i != Joints && count != out.size(); ++i)
+            if (const auto fault = fault_of(i)) out[count++] = *fault;
+        return count;
     }
     void reset() override { group_.reset(); }
 
   private:
     static constexpr std::size_t most_drives = Joints;
+    static constexpr double most_seconds = 1e9;
 
     /// How far the last command or stop order has come.
     enum class progress : std::uint8_t {
@@ -113,6 +157,18 @@ template <std::size_t Joints> class joint_part final : public process_part {
         answered,   // and the inputs are later than that
     };
 
+    /// With the drive's present error code, which may be another one than when the axis failed.
+    [[nodiscard]] std::optional<drive_fault> fault_of(std::size_t joint) const noexcept {
+        const auto& axis = group_.axis(joint);
+        const auto& error = axis.error();
+        if (error.code == cia402::axis_errc::ok) return std::nullopt;
+        const auto state = axis.drive_state();
+        const bool is_in_fault = state == cia402::state::fault || state == cia402::state::fault_reaction_active;
+        const auto present = is_in_fault ? axis.feedback().error_code : cia402::error_codes::none;
+        const auto code = present != cia402::error_codes::none ? present : error.drive_code;
+        const bool is_of_drive = code != cia402::error_codes::none || error.code == cia402::axis_errc::drive_fault;
+        return drive_fault{joints_[joint].slave, code, is_of_drive ? std::string_view{} : describe(error)};
+    }
     [[nodiscard]] static constexpr std::uint16_t report_of(std::uint16_t query) noexcept {
         return static_cast<std::uint16_t>(query + 0x2000);
     }
@@ -134,6 +190,34 @@ template <std::size_t Joints> class joint_part final : public process_part {
         return all_fit(outputs, at.controlword, at.mode, at.target_position, at.target_velocity, at.target_torque,
                        at.profile_velocity) &&
                all_fit(inputs, at.statusword, at.mode_display, at.position, at.velocity, at.torque, at.error_code);
+    }
+    /// In a mode that has the ramp of axis_options::deceleration.
+    [[nodiscard]] bool has_ramps() const noexcept {
+        return group_.serves(jaus::command_code_of<jaus::set_joint_positions>) ||
+               group_.serves(jaus::command_code_of<jaus::set_joint_velocities>);
+    }
+    [[nodiscard]] double speed_of(std::size_t joint) const noexcept {
+        const double velocity = group_.axis(joint).velocity();
+        return velocity < 0 ? -velocity : velocity;
+    }
+    /// "joint 2 needs 250 ms from max_velocity to rest by its deceleration, longer than the 200 ms that it may take".
+    [[nodiscard]] std::string_view misfit(std::size_t joint, double needed, duration limit) noexcept {
+        std::size_t size = 0;
+        const auto put = [&](std::string_view text) {
+            for (const char each : text.substr(0, misfit_.size() - size)) misfit_[size++] = each;
+        };
+        const auto put_number = [&](std::int64_t number) {
+            std::array<char, 20> digits{};
+            put({digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr});
+        };
+        put("joint ");
+        put_number(static_cast<std::int64_t>(joint + 1));
+        put(" needs ");
+        put_number(static_cast<std::int64_t>(std::min(needed, most_seconds) * 1000 + 0.999));
+        put(" ms from max_velocity to rest by its deceleration, longer than the ");
+        put_number(std::chrono::duration_cast<std::chrono::milliseconds>(limit).count());
+        put(" ms in which it has to be at rest");
+        return {misfit_.data(), size};
     }
     [[nodiscard]] bool is_at_rest(slave_group slaves) const noexcept {
         for (std::size_t i = 0; i != Joints; ++i)
@@ -175,7 +259,10 @@ template <std::size_t Joints> class joint_part final : public process_part {
     std::array<cia402::axis_start_up, Joints> start_up_{};
     std::array<ethercat::init_command, Joints * cia402::axis_start_up::capacity> commands_{};
     joint_group<Joints> group_;
-    duration period_{};
+    duration period_{}, ramp_limit_{duration::max()};
+    std::array<duration, Joints> cycles_{}; // 60C2h, where it was asked for
+    std::array<double, Joints> speeds_{};   // at the last stop order, or since is_braking was asked
+    std::array<char, 160> misfit_{};
     time_point last_{};
     std::uint32_t number_{}, executed_{};
     bool is_stop_{};

@@ -26,6 +26,9 @@ struct axis_feedback {
     std::int32_t velocity{};
     std::int16_t torque{};
     std::uint16_t error_code{};
+    bool has_position{true}; ///< 6064h is in the process data
+    bool has_velocity{true}; ///< 606Ch is in the process data; else the velocity is derived from positions
+    bool is_current{true};   ///< of the last cycle; else the drive is silent, and these are its last values
     friend constexpr bool operator==(const axis_feedback&, const axis_feedback&) = default;
 };
 
@@ -42,9 +45,11 @@ struct axis_targets {
 
 /// Properties of an axis. Positions, velocities and accelerations in the drive's units.
 struct axis_options {
-    duration cycle{std::chrono::milliseconds{1}};       ///< between two calls of on_cycle: equals 60C2h
+    /// Between two set-points: equals 60C2h. Where on_cycle is called more often, set-points keep to real time.
+    duration cycle{std::chrono::milliseconds{1}};
     duration step_time{std::chrono::seconds{2}};        ///< until the drive takes a state, mode or set-point
-    duration rest_time{std::chrono::seconds{2}};        ///< until a ramp has brought it to rest; then quick stop
+    duration rest_time{std::chrono::seconds{2}};        ///< until it is at rest, by ramp or quick stop
+    duration ramp_time{duration::max()};                ///< of rest_time: a ramp that takes longer is a quick stop
     duration reset_time{std::chrono::milliseconds{50}}; ///< for which fault reset is 0, and then 1
     std::uint32_t reset_attempts{3};
     std::int32_t min_position{std::numeric_limits<std::int32_t>::min()};
@@ -79,7 +84,7 @@ enum class axis_state : std::uint8_t {
 class axis {
   public:
     constexpr axis() noexcept = default;
-    explicit constexpr axis(const axis_options& options) noexcept : options_{options} {}
+    explicit constexpr axis(const axis_options& options) noexcept : options_{options}, period_{options.cycle} {}
 
     [[nodiscard]] constexpr const axis_options& options() const noexcept { return options_; }
     [[nodiscard]] constexpr const axis_error& error() const noexcept { return error_; }
@@ -92,7 +97,7 @@ class axis {
 
     /// To operation enabled, one transition for each status. Error: has_failed.
     JAUSCAT_CONSTEXPR result<void, axis_errc> enable() noexcept;
-    /// Brings the axis to rest by ramp, then to switch on disabled.
+    /// Brings the axis to rest by ramp, then to switch on disabled; by quick stop where the ramp would take too long.
     JAUSCAT_CONSTEXPR void disable() noexcept;
     /// To rest by the drive's quick stop (605Ah), and off.
     JAUSCAT_CONSTEXPR void quick_stop() noexcept { change_goal(goal::quick_stop); }
@@ -101,8 +106,8 @@ class axis {
     JAUSCAT_CONSTEXPR void halt(bool on) noexcept;
     /// Clears the error; resets a fault of the drive by the edge of its bit. The axis is off afterwards.
     JAUSCAT_CONSTEXPR void reset() noexcept;
-    /// Changes the mode of operation. Targets set before are discarded; the axis goes on as fast as it moves, and comes
-    /// to rest by ramp.
+    /// Changes the mode of operation. Targets set before are discarded; the axis comes to rest by ramp, also in its old
+    /// mode, which the drive may keep for a time.
     JAUSCAT_CONSTEXPR void set_mode(mode wanted) noexcept;
 
     /// Modes: cyclic synchronous position, through a profile within the limits; profile position. Errors: not_enabled,
@@ -118,12 +123,20 @@ class axis {
     [[nodiscard]] constexpr bool is_homed() const noexcept { return is_homed_; }
     /// All targets have been reached, or none was set: profile at its end, set-point taken and reached, velocity there.
     [[nodiscard]] JAUSCAT_CONSTEXPR bool is_target_reached() const noexcept;
-    /// The last velocity is at most `axis_options::standstill`.
+    /// The last velocity is at most `axis_options::standstill`. Without 606Ch: the position has changed by at most one
+    /// unit, or by as much as that velocity allows, for `still_time`. Without positions either it is not known: false.
     [[nodiscard]] JAUSCAT_CONSTEXPR bool is_at_standstill() const noexcept;
+    /// Of the motor, in units of velocity: 606Ch, or derived from the last two positions.
+    [[nodiscard]] JAUSCAT_CONSTEXPR double velocity() const noexcept;
+    /// For which positions are compared where a drive has no velocity.
+    static constexpr duration still_time{std::chrono::milliseconds{20}};
     /// The drive reports that it is behind its target position (bit 13), before or without a fault.
     [[nodiscard]] JAUSCAT_CONSTEXPR bool has_following_error() const noexcept;
     /// The drive reports that a limit of its own is active.
     [[nodiscard]] constexpr bool is_limited_by_drive() const noexcept { return has_bit(status_bits::internal_limit); }
+
+    /// The cycles of the bus, in which on_cycle is called, have this period: at first axis_options::cycle.
+    constexpr void change_period(duration period) noexcept { period_ = period; }
 
     /// One cycle with current feedback: the targets for the next outputs.
     JAUSCAT_CONSTEXPR const axis_targets& on_cycle(const axis_feedback& feedback, time_point now) noexcept;
@@ -136,6 +149,10 @@ class axis {
     enum class reset_phase : std::uint8_t { none, requested, low, high };
     enum class handshake : std::uint8_t { idle, offered, released };
 
+    // Controlwords in turn after which no other one is on the way to the drive: what it does, it has been told to.
+    static constexpr unsigned enough_words = 3;
+    // From quick stop active, the longest way to operation enabled.
+    static constexpr int steps_to_on = 4;
     // Cycles after the start of homing in which its status may be that of an earlier one.
     static constexpr unsigned homing_latency = 4;
 
@@ -157,22 +174,32 @@ class axis {
     JAUSCAT_CONSTEXPR void fail(axis_errc code) noexcept;
 
     JAUSCAT_CONSTEXPR void on_fault() noexcept;
+    JAUSCAT_CONSTEXPR void refuse_reset() noexcept;
+    JAUSCAT_CONSTEXPR void observe_position(time_point now) noexcept;
+    JAUSCAT_CONSTEXPR void forget_positions() noexcept;
+    /// The seconds by which the set-points move on in this cycle.
+    [[nodiscard]] JAUSCAT_CONSTEXPR double next_step(time_point now) noexcept;
 
     [[nodiscard]] JAUSCAT_CONSTEXPR std::uint16_t next_control(time_point now) noexcept;
     [[nodiscard]] JAUSCAT_CONSTEXPR std::uint16_t control_in_fault(time_point now) noexcept;
     JAUSCAT_CONSTEXPR void enter(reset_phase phase, time_point now) noexcept;
     [[nodiscard]] JAUSCAT_CONSTEXPR std::uint16_t control_towards_on(bool is_late) noexcept;
     [[nodiscard]] JAUSCAT_CONSTEXPR std::uint16_t control_towards_off(time_point now, bool is_late) noexcept;
+    /// The ramp to rest may go on, as far as is known.
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool has_ramp_time(time_point now) const noexcept;
     /// The ramp to rest has ended; without torque an axis may coast.
     [[nodiscard]] JAUSCAT_CONSTEXPR bool is_resting() const noexcept;
 
     JAUSCAT_CONSTEXPR void move(time_point now) noexcept;
     /// Targets that do not move the axis, whichever mode it is in.
     JAUSCAT_CONSTEXPR void hold() noexcept;
-    /// Until the drive shows the mode, and follows its target position where the mode has one, targets are where the
-    /// axis is and as fast as it moves.
+    /// Until the drive shows the mode, and follows its target position where the mode has one, the axis comes to rest
+    /// by ramp in the mode that it is in; targets then follow where the axis is.
     JAUSCAT_CONSTEXPR bool synchronise(time_point now) noexcept;
     JAUSCAT_CONSTEXPR void take_over() noexcept;
+    JAUSCAT_CONSTEXPR void brake() noexcept;
+    /// The profile, at a velocity in units of position a second, from where the axis is.
+    JAUSCAT_CONSTEXPR void start_at(double velocity) noexcept;
 
     JAUSCAT_CONSTEXPR void step(time_point now) noexcept;
     /// The commanded velocity in units of position a second, so that the axis stops before its limits.
@@ -190,12 +217,26 @@ class axis {
     bool has_feedback_{};
     goal goal_{};
     bool goal_changed_{};
-    bool was_enabled_{};      // since the goal is `on`
+    bool was_enabled_{};      // since the goal is `on`, with no other command on the way
+    unsigned enable_words_{}; // "enable operation", one after the other, up to enough_words
     bool was_seen_enabled_{}; // in the last cycle
     bool is_synchronised_{};
+    bool is_braking_{}; // without synchronisation
     bool halted_{};
-    bool is_after_halt_{}; // the drive may still have the set-point of before
-    time_point since_{};   // the drive's state, or the goal
+    bool is_after_halt_{};                    // the drive may still have the set-point of before
+    time_point since_{};                      // the drive's state, or the goal
+    time_point goal_since_{};                 // whatever the drive's state is
+    duration period_{options_.cycle};         // until the targets are sent
+    std::optional<time_point> moved_until_{}; // the set-points are those of this time
+    double step_{};                           // seconds of this step of the set-points, 0 while they are held
+
+    struct seen_position {
+        std::int32_t at{};
+        time_point since{};
+    };
+    std::optional<seen_position> still_at_{}, last_position_{};
+    bool is_still_{};
+    double derived_velocity_{};
     std::optional<time_point> mode_since_{};
 
     reset_phase reset_{};

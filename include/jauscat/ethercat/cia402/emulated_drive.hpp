@@ -17,38 +17,41 @@ namespace jauscat::cia402 {
 
 namespace detail {
 
+/// Where no object is mapped.
+inline constexpr object padding_byte{.bits = 8};
+
+// Objects, not pointers to them: with UBSan, g++ compares no address of a base with nullptr in a constant expression.
 template <std::size_t Axes, std::size_t Count>
-consteval std::array<ethercat::pdo_entry, Axes * Count> entries_of(const std::array<const object*, Count>& mapped) {
+consteval std::array<ethercat::pdo_entry, Axes * Count> entries_of(const std::array<object, Count>& mapped) {
     std::array<ethercat::pdo_entry, Axes * Count> entries{};
     for (std::size_t i = 0; i != entries.size(); ++i) {
-        const auto* const each = mapped[i % Count];
-        if (each == nullptr)
-            entries[i] = {.bits = 8}; // padding
+        const auto& each = mapped[i % Count];
+        if (each.index == 0)
+            entries[i] = {.bits = each.bits};
         else
-            entries[i] = {.index = each->index_of(i / Count),
-                          .subindex = each->subindex,
-                          .bits = each->bits,
-                          .data_type = static_cast<std::uint8_t>(each->data_type),
-                          .name = each->name};
+            entries[i] = {.index = each.index_of(i / Count),
+                          .subindex = each.subindex,
+                          .bits = each.bits,
+                          .data_type = static_cast<std::uint8_t>(each.data_type),
+                          .name = each.name};
     }
     return entries;
 }
-template <std::size_t Axes, std::size_t Count>
-consteval auto layout_of(const std::array<const object*, Count>& mapped) {
+template <std::size_t Axes, std::size_t Count> consteval auto layout_of(const std::array<object, Count>& mapped) {
     pdo_layout<Axes * Count> layout;
     for (std::size_t i = 0; i != Axes * Count; ++i) {
-        const auto* const each = mapped[i % Count];
-        static_cast<void>(layout.append(each == nullptr ? padding(8) : mapping_of(*each, i / Count)));
+        const auto& each = mapped[i % Count];
+        static_cast<void>(layout.append(each.index == 0 ? padding(each.bits) : mapping_of(each, i / Count)));
     }
     return layout;
 }
 
-inline constexpr std::array<const object*, 6> mapped_outputs{
-    &objects::controlword,     &objects::mode_of_operation, nullptr,
-    &objects::target_position, &objects::target_velocity,   &objects::target_torque};
-inline constexpr std::array<const object*, 7> mapped_inputs{
-    &objects::statusword,    &objects::mode_display, nullptr, &objects::position_actual, &objects::velocity_actual,
-    &objects::torque_actual, &objects::error_code};
+inline constexpr std::array<object, 6> mapped_outputs{
+    objects::controlword,     objects::mode_of_operation, padding_byte,
+    objects::target_position, objects::target_velocity,   objects::target_torque};
+inline constexpr std::array<object, 7> mapped_inputs{
+    objects::statusword,      objects::mode_display,  padding_byte,       objects::position_actual,
+    objects::velocity_actual, objects::torque_actual, objects::error_code};
 
 } // namespace detail
 

@@ -22,10 +22,12 @@ class packet_get_state : public packet_service<hilscher::get_state_request, hils
 };
 
 /// Takes every slave of the bus to a state: those that are in INIT or were lost are brought up, those above it go down
-/// at once, and all the others go up together, one state after the other. A slave that refuses ends it.
+/// at once, and all the others go up together, one state after the other. A slave that refuses ends it. A bus of more
+/// than `capacity` slaves is refused (coe_no_resource).
 class packet_set_state : public packet_service<hilscher::set_state_request, hilscher::set_state_confirmation> {
   public:
     static constexpr bool one_job = false;
+    static constexpr std::size_t capacity = 256; ///< slaves
     JAUSCAT_FUNCTION service_step begin(master& m, const packet_io& io) noexcept;
 
     JAUSCAT_FUNCTION service_step next(master& m, const packet_io& io) noexcept;
@@ -61,7 +63,6 @@ class packet_set_state : public packet_service<hilscher::set_state_request, hils
     JAUSCAT_FUNCTION master_result<> start(master& m, const packet_io& io, const participant& slave) noexcept;
 
     al_state goal_{};
-    static constexpr std::size_t capacity = 256;
 
     std::array<participant, capacity> bus_{};
     std::size_t count_{};

@@ -101,7 +101,7 @@ struct locate_slaves {
 
 /// Finds out what process data a slave in PRE-OP has and sets its SyncManagers and FMMUs up. Gives its place in the
 /// process image, which is then in its record. Errors: those of `upload` and of SII reads, sii_malformed, no_fmmu,
-/// too_many_managers, image_full, watchdog_range, watchdog_not_kept.
+/// too_many_managers, too_many_entries, image_full, watchdog_range, watchdog_not_kept.
 struct configure {
     std::uint16_t station{};
     /// If it has outputs, the slave will leave OP when it gets none for this time.
@@ -208,7 +208,8 @@ struct upload {
     using result_type = master_result<std::span<std::byte>>;
 };
 
-/// Reads the indices of a slave's objects to `into`, 2 bytes each. Errors: those of `upload`, fragment_missing.
+/// Reads the indices of a slave's objects to `into`, 2 bytes each. Errors: those of `upload`, fragment_missing,
+/// too_many_fragments.
 struct list_objects {
     std::uint16_t station{};
     object_list_type list = object_list_type::all;

@@ -13,46 +13,48 @@ namespace jauscat::ethercat {
 /// Each comment names the members of master_error that hold more, if any.
 enum class master_errc : std::uint8_t {
     ok,
-    busy,              ///< another job runs: this one was not started
-    not_sent,          ///< the link did not take a frame
-    no_reply,          ///< frames do not come back
-    timeout,           ///< the caller's deadline passed
-    no_slave,          ///< no slave at that position; slaves
-    wrong_station,     ///< no slave has that station address; station
-    duplicate_station, ///< several slaves answer to one address; working_counter
-    working_counter,   ///< the slave did not execute a command; working_counter
-    sii_busy,          ///< the SII memory did not get ready
-    sii_error,         ///< the SII memory did not execute a read; sii_word
-    sii_malformed,     ///< the categories of the SII do not end, or a length is not true; sii_word
-    wrong_identity,    ///< the slave is not the one that was expected; product
-    no_mailbox,        ///< the slave has no mailbox a master could use
-    no_coe,            ///< the slave's mailbox carries no CoE
-    al_error,          ///< the slave refused a state; al_status
-    state_timeout,     ///< the slave did not reach a state; state
-    too_many_slaves,   ///< more slaves than the master has memory for
-    no_fmmu,           ///< the slave has fewer FMMUs than it has process data; fmmus
-    too_many_managers, ///< more than four SyncManagers carry process data
-    image_full,        ///< the slave's process data are larger than one frame carries; bytes
-    watchdog_range,    ///< a watchdog time that the registers cannot express
-    watchdog_not_kept, ///< the slave does not keep its watchdog's settings; watchdog_divider, watchdog_units
-    object_not_kept,   ///< a start-up object of a process part reads back differently; command
-    not_configured,    ///< the slave's process data and watchdog are not set: OP is not requested
-    mailbox_full,      ///< the slave does not read its mailbox
-    mailbox_timeout,   ///< the slave took the request and did not answer
-    mailbox_error,     ///< the slave refused the message; mailbox
-    unexpected_reply,  ///< the answer was to something else; specifier
-    sdo_abort,         ///< the slave aborted the transfer; abort, none where it gave no code
-    clear_refused,     ///< the slave refused a 0 in subindex 0, which was to come first; abort
-    toggle_bit,        ///< the answer to a segment is not the one that is due
-    size_mismatch,     ///< more or less data than the slave announced, or not `upload_options::size`; bytes
-    data_too_long,     ///< the data do not fit the buffer; bytes
-    fragment_missing,  ///< a part of an answer in fragments did not come; fragments
-    no_clock,          ///< no slave has a distributed clock
-    clock_topology,    ///< the open ports and the order of the slaves make no tree with a clock at each branch; station
-    clock_delay,       ///< the delay to the slave cannot be true; station, nanoseconds
-    clock_unsettled,   ///< the slave's clock does not follow the reference clock; station, nanoseconds
-    sync_late,         ///< the signals were switched on only after the time at which they were to start
-    no_space,          ///< the frame buffer is smaller than 1514 bytes
+    busy,               ///< another job runs: this one was not started
+    not_sent,           ///< the link did not take a frame
+    no_reply,           ///< frames do not come back
+    timeout,            ///< the caller's deadline passed
+    no_slave,           ///< no slave at that position; slaves
+    wrong_station,      ///< no slave has that station address; station
+    duplicate_station,  ///< several slaves answer to one address; working_counter
+    working_counter,    ///< the slave did not execute a command; working_counter
+    sii_busy,           ///< the SII memory did not get ready
+    sii_error,          ///< the SII memory did not execute a read; sii_word
+    sii_malformed,      ///< the categories of the SII do not end, or a length is not true; sii_word
+    wrong_identity,     ///< the slave is not the one that was expected; product
+    no_mailbox,         ///< the slave has no mailbox a master could use
+    no_coe,             ///< the slave's mailbox carries no CoE
+    al_error,           ///< the slave refused a state; al_status
+    state_timeout,      ///< the slave did not reach a state; state
+    too_many_slaves,    ///< more slaves than the master has memory for
+    no_fmmu,            ///< the slave has fewer FMMUs than it has process data; fmmus
+    too_many_managers,  ///< more than four SyncManagers carry process data
+    too_many_entries,   ///< more PDOs and entries than `max_process_objects`
+    image_full,         ///< the slave's process data are larger than one frame carries; bytes
+    watchdog_range,     ///< a watchdog time that the registers cannot express
+    watchdog_not_kept,  ///< the slave does not keep its watchdog's settings; watchdog_divider, watchdog_units
+    object_not_kept,    ///< a start-up object of a process part reads back differently; command
+    not_configured,     ///< the slave's process data and watchdog are not set: OP is not requested
+    mailbox_full,       ///< the slave does not read its mailbox
+    mailbox_timeout,    ///< the slave took the request and did not answer
+    mailbox_error,      ///< the slave refused the message; mailbox
+    unexpected_reply,   ///< the answer was to something else; specifier
+    sdo_abort,          ///< the slave aborted the transfer; abort, none where it gave no code
+    clear_refused,      ///< the slave refused a 0 in subindex 0, which was to come first; abort
+    toggle_bit,         ///< the answer to a segment is not the one that is due
+    size_mismatch,      ///< more or less data than the slave announced, or not `upload_options::size`; bytes
+    data_too_long,      ///< the data do not fit the buffer; bytes
+    fragment_missing,   ///< a part of an answer in fragments did not come; fragments
+    too_many_fragments, ///< more fragments than the buffer can need; fragments
+    no_clock,           ///< no slave has a distributed clock
+    clock_topology,  ///< the open ports and the order of the slaves make no tree with a clock at each branch; station
+    clock_delay,     ///< the delay to the slave cannot be true; station, nanoseconds
+    clock_unsettled, ///< the slave's clock does not follow the reference clock; station, nanoseconds
+    sync_late,       ///< the signals were switched on only after the time at which they were to start
+    no_space,        ///< the frame buffer is smaller than 1514 bytes
 };
 
 /// The error in one line: what happened and what to do.
@@ -78,6 +80,8 @@ enum class master_errc : std::uint8_t {
     case master_errc::too_many_slaves: return "the master has no memory for another slave: give it more records";
     case master_errc::no_fmmu: return "the slave has too few FMMUs for its process data: it cannot be mapped";
     case master_errc::too_many_managers: return "the slave spreads its process data over more than four SyncManagers";
+    case master_errc::too_many_entries:
+        return "the slave's process data have more than 4096 PDOs and entries: map fewer, or check the slave";
     case master_errc::image_full: return "the slave's process data do not fit one frame: map fewer PDOs";
     case master_errc::watchdog_range: return "the watchdog time is out of range: give 0.1 ms to 6553.5 ms";
     case master_errc::object_not_kept: return "the slave does not keep a start-up object: see its range in the slave";
@@ -94,6 +98,8 @@ enum class master_errc : std::uint8_t {
     case master_errc::size_mismatch: return "the size announced and the data received differ: do not use the data";
     case master_errc::data_too_long: return "the object does not fit the buffer: give a larger one";
     case master_errc::fragment_missing: return "a part of the slave's answer is missing: ask again";
+    case master_errc::too_many_fragments:
+        return "the slave announces more fragments than its answer can have: it does not follow the protocol";
     case master_errc::no_clock: return "no slave has a distributed clock: run without one";
     case master_errc::clock_topology:
         return "the slave's place in the tree is not known: check IN and OUT, and that slaves with branches have "
@@ -126,7 +132,7 @@ struct master_error {
     std::uint32_t sii_word{};         ///< word address in the SII
     std::uint32_t bytes{}; ///< image_full: of the process data; size_mismatch: announced; data_too_long: of the buffer
     std::uint32_t nanoseconds{}; ///< clock_delay: of the cable; clock_unsettled: from the reference clock
-    std::uint32_t fragments{};   ///< fragments that should have been left
+    std::uint32_t fragments{};   ///< that should have been left; too_many_fragments: that are left
 
     friend constexpr bool operator==(const master_error&, const master_error&) = default;
 };

@@ -81,6 +81,8 @@ class process_setup {
     JAUSCAT_FUNCTION progress assigned(std::uint32_t value) noexcept;
     JAUSCAT_FUNCTION progress next_pdo() noexcept;
     JAUSCAT_FUNCTION progress mapped(std::uint32_t value) noexcept;
+    // Whether so many more are within the limit of the whole job.
+    [[nodiscard]] JAUSCAT_FUNCTION bool takes_objects(std::uint32_t more) noexcept;
     // Subindex 0 counts the others in one byte.
     [[nodiscard]] JAUSCAT_FUNCTION std::span<std::byte> room(std::uint32_t subindex) noexcept;
     [[nodiscard]] JAUSCAT_FUNCTION std::uint32_t number_of(std::size_t size) const noexcept;
@@ -109,6 +111,7 @@ class process_setup {
 
     std::array<std::byte, 4> value_{}; // of an object
     std::uint32_t pdo_{}, pdos_left_{}, entry_{}, entries_left_{};
+    std::uint32_t objects_{}; // PDOs and entries so far, of all SyncManagers
     std::uint16_t mapping_{};
     master_error failure_{}; // after which the SII is to be given back
     master_result<> result_{};

@@ -53,6 +53,8 @@ class sdo_information {
         size_ = wire::encode(question, question_)->size();
     }
 
+    // The smallest mailbox carries 12 bytes in a fragment; empty ones would take hours.
+    [[nodiscard]] std::size_t most_fragments() const noexcept { return 2 + into_.size() / 8; }
     JAUSCAT_FUNCTION reply_kind refused(std::span<const std::byte> message) noexcept;
     JAUSCAT_FUNCTION reply_kind finish(const master_result<std::size_t>& result) noexcept;
 

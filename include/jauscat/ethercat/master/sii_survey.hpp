@@ -24,8 +24,11 @@ struct process_manager {
     [[nodiscard]] std::uint32_t bytes() const noexcept { return bits / 8 + (bits % 8 != 0 ? 1 : 0); }
 };
 
+/// PDOs and entries of one slave that the master reads at most: a faulty slave may state 65,025 for each SyncManager.
+inline constexpr std::uint32_t max_process_objects = 4096;
+
 /// State machine: `request` adds the datagram of the present step, `reply` takes its return. Stays in place while it
-/// runs. Errors: those of sii_read, sii_malformed, too_many_managers.
+/// runs. Errors: those of sii_read, sii_malformed, too_many_managers, too_many_entries.
 class sii_survey {
   public:
     static constexpr std::size_t capacity = 4; ///< SyncManagers with process data
@@ -88,6 +91,7 @@ class sii_survey {
     bool described_{};      // there are PDOs
     std::uint8_t carrier_{};
     std::uint32_t entries_left_{};
+    std::uint32_t objects_{};              // PDOs and entries so far
     std::array<std::uint32_t, 16> bits_{}; // of each SyncManager
     master_result<> result_{};
 };

@@ -29,6 +29,13 @@ enum class received : std::uint8_t {
     no_capacity, ///< dropped without an answer, because its repeats could not be recognised: the sender will retry
 };
 
+/// What a component knows of a message before it is handled.
+struct receiver_context {
+    bool is_refused{};           ///< `handle` refuses it by a rule: it is not remembered, and takes no place
+    bool is_of_controller{true}; ///< its source has control; of others, three quarters of the places at most
+    const address* controller{}; ///< nullptr: none
+};
+
 /// Delivers messages and acknowledges them: ACK if the handler has executed one, NAK if not. Messages without
 /// acknowledgement request are delivered without this check, as are messages to a broadcast address: these are not
 /// acknowledged, because all receivers would answer at once.
@@ -37,7 +44,8 @@ enum class received : std::uint8_t {
 /// time: it must be longer than a sender repeats (a second with acknowledged_sender's defaults) and than copies are
 /// delayed by the network, and shorter than a sender needs to use its 65536 numbers. Within it no message is delivered
 /// twice: when all places are used, or one source has half of them, its next message is dropped. So there must be twice
-/// as many places as one source sends messages with acknowledgement request within `memory`.
+/// as many places as one source sends messages with acknowledgement request within `memory`. A quarter of the places is
+/// kept for the controller. What a rule refuses is not remembered: its repeat is refused again.
 ///
 /// A handler may defer its message: it is then pending, and its repeats are dropped without an answer, until `finish`
 /// acknowledges it. A pending message keeps its place however long that takes.
@@ -63,7 +71,7 @@ class acknowledged_receiver {
     /// Processes a message that is not an acknowledgement. `handle()` executes it and returns a message_outcome; the
     /// answer is sent after it.
     constexpr received on_message(const header& head, std::span<const std::byte> body, time_point now, message_sink out,
-                                  auto&& handle) {
+                                  auto&& handle, const receiver_context& known = {}) {
         at_ = now;
         const bool wants_answer = is_acknowledged(head);
         const auto obey = [&] {
@@ -84,15 +92,23 @@ class acknowledged_receiver {
             return received::handed_on;
         }
         const acknowledged_message key{head.source, head.command_code, head.sequence_number, digest_of(body)};
-        const search found = find(key, now);
+        const search found = find(key, now, known.controller);
         if (found.same != nullptr) {
             if (found.same->answer == ack_nak::request) return received::pending;
             static_cast<void>(acknowledge(head, self_, found.same->answer, out)); // its header was received
             return received::repeated;
         }
-        if (found.free == nullptr || 2 * found.of_source >= places_.size()) return received::no_capacity;
+        if (known.is_refused) {
+            static_cast<void>(handle());
+            if (!found.may_be_done) static_cast<void>(acknowledge(head, self_, ack_nak::nak, out));
+            return received::handed_on;
+        }
+        const bool is_kept_free = !known.is_of_controller && 4 * found.of_others >= 3 * places_.size();
+        if (found.free == nullptr || 2 * found.of_source >= places_.size() || is_kept_free)
+            return received::no_capacity;
         acknowledged_message& place = *found.free;
         place = key;
+        used_ = std::max(used_, static_cast<std::size_t>(&place - places_.data()) + 1);
         place.answer = ack_nak::request; // pending while it is handled
         place.until = saturating_add(now, memory_);
         knows_unnumbered_ = knows_unnumbered_ || key.sequence_number == 0;
@@ -128,9 +144,13 @@ class acknowledged_receiver {
         acknowledged_message* same{};
         acknowledged_message* free{};
         std::size_t of_source{}; // places that the source has
+        std::size_t of_others{}; // places that all have but the controller
         bool may_be_done{};      // executed or pending, or it is new; its number does not tell
     };
-    [[nodiscard]] JAUSCAT_CONSTEXPR search find(const acknowledged_message& key, time_point now) const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR search find(const acknowledged_message& key, time_point now,
+                                                const address* controller) noexcept;
+    // Behind them no place is in use.
+    [[nodiscard]] constexpr std::span<acknowledged_message> used() const noexcept { return places_.first(used_); }
     // Whether a message of the restarted source `key` was sent after its restart: before `key`, by its number, and
     // received after the message that had the number of `key`.
     [[nodiscard]] JAUSCAT_CONSTEXPR static bool is_later(const acknowledged_message& m, const acknowledged_message& key,
@@ -138,7 +158,7 @@ class acknowledged_receiver {
     // A sender that counts uses the number 0 once in 65536 commands: a new command with 0 ends the entries of earlier
     // ones.
     constexpr void end_zero(auto&& concerns) noexcept {
-        for (acknowledged_message& m : places_)
+        for (acknowledged_message& m : used())
             if (m.sequence_number == 0 && concerns(m.source)) m.superseded = true;
     }
     // Ends the entries of sources for which `concerns` is true and that number all messages 0.
@@ -146,12 +166,12 @@ class acknowledged_receiver {
         if (!knows_unnumbered_) return;
         const auto is_known = [&](const acknowledged_message& m) { return !is_free(m, now) && !m.superseded; };
         knows_unnumbered_ = false;
-        for (acknowledged_message& m : places_) {
+        for (acknowledged_message& m : used()) {
             if (m.sequence_number != 0 || !is_known(m)) continue;
             const bool counts = std::ranges::any_of(
-                places_, [&](const acknowledged_message& other) { return is_known(other) && shows_count(other, m); });
+                used(), [&](const acknowledged_message& other) { return is_known(other) && shows_count(other, m); });
             // A sender that counts gives the number 0 to one command only.
-            const bool repeats_zero = std::ranges::any_of(places_, [&](const acknowledged_message& other) {
+            const bool repeats_zero = std::ranges::any_of(used(), [&](const acknowledged_message& other) {
                 return other.superseded && now < other.until && other.source == m.source && other.sequence_number == 0;
             });
             if (concerns(m.source) && (repeats_zero || !counts))
@@ -170,6 +190,7 @@ class acknowledged_receiver {
 
     address self_;
     std::span<acknowledged_message> places_;
+    std::size_t used_{};
     duration memory_;
     time_point at_{};         // of the last message
     bool knows_unnumbered_{}; // a message with the number 0 may be remembered

@@ -3,6 +3,7 @@
 #include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/jaus/component/command_rules.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -25,6 +26,7 @@ enum class delivered : std::uint8_t {
     acknowledged, ///< ACK: the receiver has executed it
     refused,      ///< NAK: the receiver has not executed it
     timed_out,    ///< no answer to any copy: it may have arrived
+    control_lost, ///< the receiver has sent Reject Component Control: not repeated; it may have been executed before
 };
 
 /// The outcome in one line, for logs.
@@ -118,6 +120,17 @@ class acknowledged_sender {
         const awaited_message m = std::exchange(*found, {}); // free first: `tell` may send the next one
         tell(m, head.ack_nak == ack_nak::ack ? delivered::acknowledged : delivered::refused);
         return true;
+    }
+
+    /// The component `of` has sent Reject Component Control: commands to it that only a controller may send are not
+    /// repeated, and `tell` gets control_lost for each.
+    constexpr void on_control_lost(const address& of, auto&& tell) {
+        for (awaited_message& place : places_) {
+            const header& head = place.header;
+            if (place.size == 0 || head.destination != of || rule_of(head.command_code) == command_rule::open) continue;
+            const awaited_message m = std::exchange(place, {});
+            tell(m, delivered::control_lost);
+        }
     }
 
     /// Sends a waiting message no more: it has no outcome, and may have arrived. `sent`: its header with the sequence

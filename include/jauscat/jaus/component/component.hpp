@@ -38,6 +38,10 @@ template <class... Parts> class component {
     template <std::size_t Waiting, std::size_t Size, std::size_t Remembered>
     constexpr component(const address& self, component_memory<Waiting, Size, Remembered>& memory,
                         const component_hooks& hooks, const component_options& options, Parts&... parts) noexcept
+        : component{self, component_places{memory.waiting, memory.copies, memory.remembered}, hooks, options,
+                    parts...} {}
+    constexpr component(const address& self, const component_places& memory, const component_hooks& hooks,
+                        const component_options& options, Parts&... parts) noexcept
         : self_{self},
           hooks_{hooks},
           obeys_only_when_ready_{options.obeys_only_when_ready},
@@ -76,11 +80,16 @@ template <class... Parts> class component {
     }
 
     /// Acknowledges a deferred message: `request` is its header; ACK if `executed`, else NAK. False: no such message is
-    /// pending, or no acknowledgement was requested.
+    /// pending, or no acknowledgement was requested. Call it for every deferred motion command: its sender is watched,
+    /// and others no longer when it was executed.
     [[nodiscard]] constexpr bool finish(const header& request, bool executed, time_point now,
                                         message_sink out) noexcept {
+        control_.finished(request, executed, now);
         return receiver_.finish(request, executed, now, out);
     }
+    /// The application brings its actuators to rest by itself: no motion command is in force, and no sender is watched.
+    /// Not needed after a change of the state to another one than Ready, and after control_change::lost.
+    constexpr void at_rest() noexcept { control_.at_rest(); }
     /// Sends a message of the component and repeats it until it is acknowledged; the hook on_delivered gets the
     /// outcome.
     template <coded_message T>
@@ -158,13 +167,21 @@ template <class... Parts> class component {
             return sender_.on_message(head, delivered_hook()) ? component_outcome::acknowledgement
                                                               : component_outcome::unmatched_acknowledgement;
         }
+        if (head.command_code == command_code_of<reject_component_control>)
+            sender_.on_control_lost(head.source, delivered_hook());
+        const auto refused = refused_by_rule(head);
         component_outcome what{};
         const auto handle = [&] {
-            const message_outcome outcome = decide(head, body, now, out, application, what);
+            const message_outcome outcome =
+                refused ? refuse(head, *refused, what) : decide(head, body, now, out, application, what);
             tell_changes();
             return outcome;
         };
-        switch (receiver_.on_message(head, body, now, out, handle)) {
+        const auto& by = control_.controller();
+        const receiver_context known{.is_refused = refused.has_value(),
+                                     .is_of_controller = control_.controls(head.source),
+                                     .controller = by ? &by->address : nullptr};
+        switch (receiver_.on_message(head, body, now, out, handle, known)) {
         case received::handed_on: break;
         case received::repeated: what = component_outcome::repeated; break;
         case received::pending: what = component_outcome::pending; break;
@@ -172,20 +189,23 @@ template <class... Parts> class component {
         }
         return what;
     }
+    [[nodiscard]] constexpr std::optional<component_outcome> refused_by_rule(const header& head) const noexcept {
+        const bool clears_own = head.command_code == command_code_of<clear_emergency> &&
+                                state_.holds_emergency(head.source) && !control_.controls(head.source);
+        if (!clears_own && !control_.would_admit(head)) return component_outcome::not_controller;
+        if (obeys_only_when_ready_ && state_.state() != primary_status_code::ready &&
+            control_.rule(head.command_code) == command_rule::moving)
+            return component_outcome::not_ready;
+        return std::nullopt;
+    }
+    constexpr message_outcome refuse(const header& head, component_outcome why, component_outcome& what) noexcept {
+        if (why == component_outcome::not_controller) static_cast<void>(control_.admits(head)); // counts it
+        what = why;
+        return message_outcome::refused;
+    }
     // Sets `what` to the detailed outcome.
     constexpr message_outcome decide(const header& head, std::span<const std::byte> body, time_point now,
                                      message_sink out, auto& application, component_outcome& what) {
-        const bool clears_own = head.command_code == command_code_of<clear_emergency> &&
-                                state_.holds_emergency(head.source) && !control_.controls(head.source);
-        if (!clears_own && !control_.admits(head)) {
-            what = component_outcome::not_controller;
-            return message_outcome::refused;
-        }
-        if (obeys_only_when_ready_ && state_.state() != primary_status_code::ready &&
-            control_.rule(head.command_code) == command_rule::moving) {
-            what = component_outcome::not_ready;
-            return message_outcome::refused;
-        }
         message_outcome outcome = state_.on_message(head, body, now, out);
         if (outcome == message_outcome::handled && is_state_command(head.command_code)) outcome = tell_command(head);
         const auto ask = [&](auto& next) {
@@ -203,6 +223,7 @@ template <class... Parts> class component {
         case message_outcome::deferred: what = component_outcome::deferred; break;
         case message_outcome::unhandled: what = component_outcome::unknown; break;
         }
+        control_.obeyed(head, outcome, now);
         const bool is_obeyed = outcome == message_outcome::handled || outcome == message_outcome::deferred;
         if (is_obeyed && head.command_code == command_code_of<set_emergency> && !says_emergency(body))
             what = component_outcome::stopped_on_invalid_emergency;
@@ -210,14 +231,22 @@ template <class... Parts> class component {
     }
 
     constexpr void tell_changes() {
-        if (const auto from = std::exchange(told_state_, state_.state()); from != told_state_)
+        if (const auto from = std::exchange(told_state_, state_.state()); from != told_state_) {
+            if (told_state_ != primary_status_code::ready) control_.at_rest();
             if (hooks_.on_state) hooks_.on_state(from, told_state_);
-        if (const auto before = std::exchange(told_controller_, control_.controller()); before != told_controller_)
+        }
+        bool tells_loss = control_.lost_mover().has_value();
+        if (const auto before = std::exchange(told_controller_, control_.controller()); before != told_controller_) {
+            tells_loss = tells_loss && control_.last_change() != control_change::lost;
             if (hooks_.on_controller) hooks_.on_controller(control_.controller(), control_.last_change());
+        }
+        if (tells_loss && hooks_.on_controller) hooks_.on_controller(control_.controller(), control_change::lost);
+        if (control_.lost_mover()) control_.at_rest();
     }
     // Reports changes that no message has caused.
     constexpr void tell_own_changes() {
-        if (told_state_ != state_.state() || told_controller_ != control_.controller()) receiver_.on_change();
+        if (told_state_ != state_.state() || told_controller_ != control_.controller() || control_.lost_mover())
+            receiver_.on_change();
         tell_changes();
     }
     constexpr message_outcome tell_command(const header& head) {

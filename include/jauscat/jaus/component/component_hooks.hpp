@@ -14,7 +14,8 @@ namespace jauscat::jaus {
 ///     jaus::component core{self, memory, {.on_state = jaus::bound<&driver::rest>(*this)}, {}};
 struct component_hooks {
     hook<void(primary_status_code from, primary_status_code to)> on_state{};
-    /// The controller has changed; empty if there is none. `why` is the cause.
+    /// The controller has changed; empty if there is none. `why` is the cause. For `lost` bring the actuators to rest:
+    /// it is also the cause, without a change, when another sender is lost whose motion command is in force.
     hook<void(const std::optional<controller>& now_it_is, control_change why)> on_controller{};
     /// A message that the component sent was acknowledged, refused or abandoned.
     hook<void(const awaited_message& message, delivered outcome)> on_delivered{};

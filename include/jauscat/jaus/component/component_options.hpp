@@ -32,4 +32,11 @@ template <std::size_t Waiting = 16, std::size_t Size = 256, std::size_t Remember
     std::array<acknowledged_message, Remembered> remembered{}; ///< messages that were acknowledged
 };
 
+/// The same of any size, which must outlive the component.
+struct component_places {
+    std::span<awaited_message> waiting{};
+    std::span<std::byte> copies{};
+    std::span<acknowledged_message> remembered{};
+};
+
 } // namespace jauscat::jaus

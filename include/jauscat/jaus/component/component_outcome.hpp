@@ -38,7 +38,7 @@ inline constexpr std::size_t component_outcome_count = 13;
         "refused: the component is not ready",
         "repeated: acknowledged again and dropped",
         "repeated while it is executed: dropped",
-        "dropped: too many messages that ask for an acknowledgement",
+        "dropped: no place left to remember what was acknowledged (option remembered)",
         "acknowledgement of an own message",
         "acknowledgement that no message waits for"};
     const auto place = static_cast<std::size_t>(what);

@@ -1,6 +1,7 @@
 // Service connection of a consumer: states, results, options.
 #pragma once
 #include <jauscat/base/time.hpp>
+#include <jauscat/jaus/events/older_numbers.hpp>
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
@@ -28,6 +29,7 @@ struct consumed_connection {
     bool confirmed{};                       ///< the instance ID is known
     bool heard{};                           ///< `sequence_number` is that of a report
     std::uint16_t sequence_number{};        ///< the highest so far
+    older_numbers older{};                  ///< than that
     create_service_connection request{};    ///< as requested
     double rate{};                          ///< hertz, as confirmed
     time_point due{};                       ///< when to ask again, notice the silence, or be done

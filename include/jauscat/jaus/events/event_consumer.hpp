@@ -86,7 +86,8 @@ template <std::size_t Capacity> class event_consumer {
             return decoded_by(confirm_event_request{}, [&](const confirm_event_request& m) {
                 answered(head.source, m.local_request_id, outcome, [&](requested_event& e) {
                     e.response = m.response_code;
-                    e.heard = e.heard && e.event_id == m.event_id && e.state != requested_state::stale;
+                    e.heard = e.heard && e.event_id == m.event_id;
+                    if (e.state == requested_state::stale) e.older.may_begin_anew();
                     e.event_id = m.event_id;
                     e.rate = m.confirmed_periodic_rate.value_or(0);
                     confirmed(e, outcome, now, out);
@@ -277,12 +278,15 @@ template <std::size_t Capacity> class event_consumer {
         outcome.place = static_cast<std::size_t>(e - requested_.begin());
         const auto ahead = static_cast<std::uint8_t>(m.event_sequence_number - e->sequence_number);
         const bool is_newer = ahead != 0 && ahead < 128;
-        // 8 bits say nothing about a gap of 128 events and more. After a silence none is late.
-        const bool may_be_late = e->state != requested_state::stale && now - e->heard_at < retry_.interval;
-        if (e->heard && !is_newer && may_be_late) {
+        // 8 bits say nothing about a gap of 128 events and more. After a pause, no event is late by more than 64; one
+        // with the number of the last is a copy of it, or newer.
+        const bool has_paused = now - e->heard_at >= retry_.interval;
+        const bool is_after_gap = has_paused && (ahead == 0 || (ahead >= 128 && ahead < 192));
+        if (e->heard && !is_newer && !is_after_gap && !e->older.begins_anew(m.event_sequence_number)) {
             outcome.what = event_notice::repeated;
             return;
         }
+        e->older = {};
         outcome.what = event_notice::event;
         outcome.lost = e->heard && is_newer ? ahead - 1u : 0;
         e->heard = true;

@@ -3,6 +3,7 @@
 #include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/events/event_setup.hpp>
+#include <jauscat/jaus/events/older_numbers.hpp>
 
 namespace jauscat::jaus {
 
@@ -34,6 +35,7 @@ struct requested_event {
     std::uint8_t sequence_number{};  ///< of the last event
     double rate{};                   ///< hertz, as confirmed; 0: none was
     time_point due{};                ///< when to ask again, or notice the silence
+    older_numbers older{};           ///< than `sequence_number`
     time_point heard_at{};           ///< time of the last event
     std::uint32_t requests{};        ///< that were not answered
     std::uint64_t received{};        ///< events

@@ -190,7 +190,7 @@ template <std::size_t Capacity> class service_consumer {
         }
         c->rate = answered.confirmed_periodic_update_rate;
         if (c->state != consumed_state::active) {
-            if (c->state == consumed_state::stale) c->heard = false; // it may have restarted, and count from 0
+            if (c->state == consumed_state::stale) c->older.may_begin_anew();
             c->due = saturating_add(now, silence(*c));
             enter(*c, consumed_state::active);
         }
@@ -200,13 +200,13 @@ template <std::size_t Capacity> class service_consumer {
                                      time_point now) noexcept {
         const auto ahead = static_cast<std::uint16_t>(number - c.sequence_number);
         const bool newer = !c.heard || (ahead != 0 && ahead < 0x8000);
-        // A restarted provider counts from 0; after a timeout no late report is possible.
-        if (!newer && c.state != consumed_state::stale) {
+        if (!newer && !c.older.begins_anew(number)) {
             ++c.dropped;
             return {consumer_notice::old_report, place};
         }
         const std::uint64_t lost = c.heard && newer ? ahead - 1u : 0u;
         c.heard = true;
+        c.older = {};
         c.sequence_number = number;
         ++c.received;
         c.lost += lost;

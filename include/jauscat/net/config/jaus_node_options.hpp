@@ -69,7 +69,8 @@ struct jaus_node_options {
         on_message{};
     /// Called when a component has appeared, or timed out, at the node manager.
     std::function<void(const jaus::address& who)> appeared{}, disappeared{};
-    /// Called with the outcome of a large data set that requested an acknowledgement. Acknowledged: the receiving
+    /// Called with the outcome of a large data set that requested an acknowledgement, and with the header that `send`
+    /// got. Acknowledged: the receiving
     /// component has received and accepted all of it. Refused: it has not. Timed out: an answer is missing, and it may
     /// have been accepted.
     std::function<void(const jaus::header& head, jaus::delivered what)> large_data_done{};

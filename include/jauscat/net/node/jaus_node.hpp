@@ -47,6 +47,9 @@ class jaus_node {
         machine_.add(component, application);
     }
 
+    /// See node_machine::remove.
+    void remove(const jaus::address& self) { machine_.remove(self); }
+
     /// Opens the sockets and starts. A start after `stop` begins without known peers. Must not be called from a handler
     /// of this node. Throws `open_error` and `config_error`.
     JAUSCAT_DECL void start();
@@ -55,10 +58,13 @@ class jaus_node {
     JAUSCAT_DECL void stop();
     /// Between start and stop.
     [[nodiscard]] bool running() const noexcept { return machine_.running(); }
+    /// See node_machine::in_turn.
+    [[nodiscard]] bool in_turn() const noexcept { return machine_.in_turn(); }
 
     /// Sends a message of a component of this node. A body of more than 4080 bytes is sent as a large data set, paced;
     /// if `ack_nak` requests acknowledgement, its packets are repeated until they are acknowledged. `data_size` and
-    /// `data_flag` of `head` are ignored, for a large data set also `sequence_number`.
+    /// `data_flag` of `head` are ignored. The `sequence_number` of a large data set is not sent: it is what
+    /// `large_data_done` returns, for the sender to know which one has ended.
     JAUSCAT_DECL result<void, error> send(const jaus::header& head, bytes body);
     /// The same for a typed body. A value that does not encode gives errc::not_encodable, not an exception.
     template <jaus::coded_message T> result<void, error> send(const jaus::header& head, const T& body) {

@@ -58,6 +58,9 @@ class node_machine {
         add({component, application}, detail::offered_messages{component, application});
     }
 
+    /// Takes a component away. Call before start.
+    JAUSCAT_DECL void remove(const jaus::address& self);
+
     /// A start after `stop` begins without known peers. Must not be called from a handler of this node. Throws
     /// `config_error`.
     JAUSCAT_DECL void start(time_point now);
@@ -85,7 +88,8 @@ class node_machine {
 
     /// Sends a message of a component of this node. A body of more than 4080 bytes is sent as a large data set, paced;
     /// if `ack_nak` requests acknowledgement, its packets are repeated until they are acknowledged. `data_size` and
-    /// `data_flag` of `head` are ignored, for a large data set also `sequence_number`.
+    /// `data_flag` of `head` are ignored. The `sequence_number` of a large data set is not sent: it is what
+    /// `large_data_done` returns, for the sender to know which one has ended.
     JAUSCAT_DECL result<void, error> send(jaus::header head, bytes body, time_point now);
     /// The same for a typed body. A value that does not encode gives errc::not_encodable, not an exception.
     template <jaus::coded_message T> result<void, error> send(jaus::header head, const T& body, time_point now) {

@@ -31,14 +31,18 @@ JAUSCAT_CONSTEXPR void axis::halt(bool on) noexcept {
 }
 
 JAUSCAT_CONSTEXPR void axis::reset() noexcept {
-    error_ = {};
     if (goal_ == goal::on) change_goal(goal::off);
     attempts_ = 0;
-    if (has_fault()) reset_ = reset_phase::requested;
+    if (has_fault())
+        reset_ = reset_phase::requested; // the error stands until the drive has left its fault
+    else
+        error_ = {};
 }
 
 JAUSCAT_CONSTEXPR void axis::set_mode(mode wanted) noexcept {
     if (wanted == targets_.mode) return;
+    // Its set-points are continued; velocities are taken from what the drive says.
+    is_braking_ = is_synchronised_ && targets_.mode == mode::cyclic_synchronous_position;
     targets_.mode = wanted;
     lose_synchronisation();
     mode_since_.reset();
@@ -86,7 +90,7 @@ JAUSCAT_CONSTEXPR bool axis::is_target_reached() const noexcept {
 }
 
 JAUSCAT_CONSTEXPR bool axis::is_at_standstill() const noexcept {
-    return detail::magnitude(feedback_.velocity) <= options_.standstill;
+    return feedback_.has_velocity ? detail::magnitude(feedback_.velocity) <= options_.standstill : is_still_;
 }
 
 JAUSCAT_CONSTEXPR bool axis::has_following_error() const noexcept {
@@ -97,11 +101,16 @@ JAUSCAT_CONSTEXPR const axis_targets& axis::on_cycle(const axis_feedback& feedba
     feedback_ = feedback;
     const auto seen = state_of(feedback.statusword);
     if (seen != seen_ || !has_feedback_ || goal_changed_) since_ = now;
+    if (!has_feedback_ || goal_changed_) goal_since_ = now;
     goal_changed_ = false;
     has_feedback_ = true;
     seen_ = seen;
+    observe_position(now);
+    step_ = next_step(now);
     if (has_fault()) on_fault();
     targets_.controlword = next_control(now);
+    const bool enables = targets_.controlword == control_of(command::enable_operation);
+    enable_words_ = enables ? std::min(enable_words_ + 1, enough_words) : 0;
     move(now);
     return targets_;
 }
@@ -109,6 +118,8 @@ JAUSCAT_CONSTEXPR const axis_targets& axis::on_cycle(const axis_feedback& feedba
 JAUSCAT_CONSTEXPR const axis_targets& axis::on_lost() noexcept {
     if (has_feedback_) fail(axis_errc::inputs_lost);
     has_feedback_ = false;
+    enable_words_ = 0;
+    forget_positions();
     goal_ = goal::quick_stop;
     reset_ = reset_phase::none;
     lose_synchronisation();
@@ -195,18 +206,82 @@ JAUSCAT_CONSTEXPR void axis::on_fault() noexcept {
     lose_synchronisation();
 }
 
+JAUSCAT_CONSTEXPR void axis::observe_position(time_point now) noexcept {
+    if (feedback_.has_velocity || !feedback_.has_position) {
+        is_still_ = false;
+        return;
+    }
+    if (!feedback_.is_current) return forget_positions(); // nothing is known of this time
+    // A stop order comes between two cycles, with the position of the last one.
+    const duration elapsed = last_position_ ? now - last_position_->since : period_;
+    if (elapsed > duration{} && elapsed >= period_ / 2) {
+        const double moved = last_position_ ? static_cast<double>(feedback_.position) - last_position_->at : 0;
+        derived_velocity_ = moved / std::chrono::duration<double>{elapsed}.count() * velocity_factor();
+        last_position_ = seen_position{feedback_.position, now};
+    }
+
+    const double allowed =
+        std::max(1.0, options_.standstill / velocity_factor() * std::chrono::duration<double>{still_time}.count());
+    const bool has_moved =
+        !still_at_ || detail::magnitude(static_cast<double>(feedback_.position) - still_at_->at) > allowed;
+    if (has_moved) still_at_ = seen_position{feedback_.position, now};
+    is_still_ = !has_moved && (is_still_ || now - still_at_->since >= still_time);
+    // The next window begins here, so that a slow motion adds up.
+    if (is_still_ && now - still_at_->since >= still_time) still_at_ = seen_position{feedback_.position, now};
+}
+
+JAUSCAT_CONSTEXPR void axis::forget_positions() noexcept {
+    is_still_ = false;
+    still_at_.reset();
+    last_position_.reset();
+}
+
+JAUSCAT_CONSTEXPR double axis::velocity() const noexcept {
+    return feedback_.has_velocity ? feedback_.velocity : derived_velocity_;
+}
+
+JAUSCAT_CONSTEXPR double axis::next_step(time_point now) noexcept {
+    // Set-points are those of the time at which they are sent, also where the bus runs faster than the axis, and where
+    // a stop order comes between two cycles. They are ahead of it by an eighth of a cycle at most, so that jitter costs
+    // no step. What is missed in excess of a cycle of the axis is not made up for.
+    const auto usual = std::min(period_, options_.cycle);
+    const auto sent = now + period_;
+    if (!moved_until_ || *moved_until_ < sent - options_.cycle) moved_until_ = sent - options_.cycle;
+    const auto step = std::min<duration>(options_.cycle, sent + usual / 8 - *moved_until_);
+    if (step < usual / 2) return 0;
+    *moved_until_ += step;
+    return std::chrono::duration<double>{step}.count();
+}
+
+JAUSCAT_CONSTEXPR void axis::refuse_reset() noexcept {
+    reset_ = reset_phase::none;
+    error_ = {.code = axis_errc::reset_refused, .state = seen_, .drive_code = feedback_.error_code};
+}
+
 JAUSCAT_CONSTEXPR std::uint16_t axis::next_control(time_point now) noexcept {
     if (has_fault()) return control_in_fault(now);
-    if (reset_ != reset_phase::none) reset_ = reset_phase::none; // the fault has gone
+    if (reset_ != reset_phase::none) {
+        if (!seen_) return control_of(command::disable_voltage); // not known to have left the fault
+        reset_ = reset_phase::none;
+        error_ = {};
+    }
     const bool is_late = now - since_ >= options_.step_time;
+    const bool is_stop_late = now - goal_since_ >= options_.step_time;
     switch (goal_) {
-    case goal::on: return control_towards_on(is_late);
+    case goal::on:
+        // Also where each step comes in time, and the drive goes back again.
+        return control_towards_on(is_late || (!was_enabled_ && now - goal_since_ >= steps_to_on * options_.step_time));
     case goal::off: return control_towards_off(now, is_late);
     case goal::quick_stop:
-        if (is_late && seen_ == ds::operation_enabled) fail(axis_errc::step_timeout);
+        if (is_stop_late && (!seen_ || *seen_ == ds::operation_enabled)) {
+            fail(axis_errc::step_timeout);
+            if (!seen_) return control_of(command::disable_voltage);
+        }
+        if (now - goal_since_ >= options_.rest_time && seen_ == ds::quick_stop_active && !is_at_standstill())
+            fail(axis_errc::step_timeout); // it is told, and brakes on
         break;
     }
-    return control_of(!seen_ || *seen_ != ds::switch_on_disabled ? command::quick_stop : command::disable_voltage);
+    return control_of(seen_ != ds::switch_on_disabled ? command::quick_stop : command::disable_voltage);
 }
 
 JAUSCAT_CONSTEXPR std::uint16_t axis::control_in_fault(time_point now) noexcept {
@@ -218,6 +293,8 @@ JAUSCAT_CONSTEXPR std::uint16_t axis::control_in_fault(time_point now) noexcept 
         if (has_waited && seen_ == ds::fault) {
             ++attempts_;
             enter(reset_phase::high, now);
+        } else if (now - reset_since_ >= options_.step_time) { // its reaction to the fault does not end
+            refuse_reset();
         }
         break;
     case reset_phase::high:
@@ -225,8 +302,7 @@ JAUSCAT_CONSTEXPR std::uint16_t axis::control_in_fault(time_point now) noexcept 
         if (attempts_ < options_.reset_attempts) {
             enter(reset_phase::low, now);
         } else {
-            reset_ = reset_phase::none;
-            error_ = {.code = axis_errc::reset_refused, .state = seen_, .drive_code = feedback_.error_code};
+            refuse_reset();
         }
         break;
     }
@@ -244,29 +320,45 @@ JAUSCAT_CONSTEXPR std::uint16_t axis::control_towards_on(bool is_late) noexcept 
     else if (is_late && seen_ != ds::operation_enabled)
         fail(axis_errc::step_timeout);
     if (goal_ != goal::on) return control_of(command::quick_stop);
-    if (!seen_) return targets_.controlword;
+    if (!seen_) return control_of(command::quick_stop);
     switch (*seen_) {
     case ds::switch_on_disabled: return control_of(command::shutdown);
     case ds::ready_to_switch_on: return control_of(command::switch_on);
     case ds::switched_on: return control_of(command::enable_operation);
-    case ds::operation_enabled: was_enabled_ = true; return control_of(command::enable_operation);
+    case ds::operation_enabled:
+        was_enabled_ = was_enabled_ || enable_words_ + 1 >= enough_words;
+        return control_of(command::enable_operation);
     case ds::quick_stop_active: return control_of(is_at_standstill() ? command::disable_voltage : command::quick_stop);
     default: return control_of(command::disable_voltage);
     }
 }
 
 JAUSCAT_CONSTEXPR std::uint16_t axis::control_towards_off(time_point now, bool is_late) noexcept {
-    if (!seen_) return targets_.controlword;
+    if (!seen_) { // what it does is not known
+        if (now - goal_since_ >= options_.step_time) fail(axis_errc::step_timeout);
+        return control_of(now - since_ < options_.step_time ? command::quick_stop : command::disable_voltage);
+    }
     switch (*seen_) {
     case ds::operation_enabled:
+        if (now - goal_since_ >= options_.rest_time + options_.step_time) fail(axis_errc::step_timeout);
         if (is_resting()) return control_of(command::switch_on); // disable operation
-        return control_of(now - since_ < options_.rest_time ? command::enable_operation : command::quick_stop);
+        return control_of(has_ramp_time(now) ? command::enable_operation : command::quick_stop);
     case ds::switched_on: break;
-    case ds::quick_stop_active: return control_of(is_at_standstill() ? command::disable_voltage : command::quick_stop);
+    case ds::quick_stop_active:
+        if (now - goal_since_ >= options_.rest_time + options_.step_time && !is_at_standstill())
+            fail(axis_errc::step_timeout); // it is told, and brakes on
+        return control_of(is_at_standstill() ? command::disable_voltage : command::quick_stop);
     default: return control_of(command::disable_voltage);
     }
     if (is_late) fail(axis_errc::step_timeout);
     return control_of(command::shutdown);
+}
+
+JAUSCAT_CONSTEXPR bool axis::has_ramp_time(time_point now) const noexcept {
+    const duration whole = std::min(options_.rest_time, options_.ramp_time), left = whole - (now - goal_since_);
+    const double needed = is_torque_mode() ? detail::magnitude(torque_) / options_.torque_slope
+                                           : detail::magnitude(profile_.velocity()) / limits().deceleration;
+    return left > duration{} && needed <= std::chrono::duration<double>{left}.count();
 }
 
 JAUSCAT_CONSTEXPR bool axis::is_resting() const noexcept {
@@ -275,7 +367,7 @@ JAUSCAT_CONSTEXPR bool axis::is_resting() const noexcept {
 }
 
 JAUSCAT_CONSTEXPR void axis::move(time_point now) noexcept {
-    if (seen_ != ds::operation_enabled) {
+    if (seen_ != ds::operation_enabled || (goal_ == goal::on && !was_enabled_)) {
         was_seen_enabled_ = false;
         hold();
         return;
@@ -291,6 +383,7 @@ JAUSCAT_CONSTEXPR void axis::move(time_point now) noexcept {
 
 JAUSCAT_CONSTEXPR void axis::hold() noexcept {
     is_synchronised_ = false;
+    is_braking_ = false;
     profile_.reset(feedback_.position, 0);
     torque_ = 0;
     targets_.position = feedback_.position;
@@ -302,8 +395,9 @@ JAUSCAT_CONSTEXPR bool axis::synchronise(time_point now) noexcept {
     const bool shows_mode = feedback_.mode == targets_.mode;
     const bool follows = targets_.mode != mode::cyclic_synchronous_position || has_bit(status_bits::follows_target);
     if (shows_mode && follows) {
-        if (!is_synchronised_) take_over();
+        if (!is_synchronised_ && !is_braking_) take_over();
         is_synchronised_ = true;
+        is_braking_ = false;
         mode_since_.reset();
         return true;
     }
@@ -313,17 +407,33 @@ JAUSCAT_CONSTEXPR bool axis::synchronise(time_point now) noexcept {
         fail(shows_mode ? axis_errc::not_following : axis_errc::mode_refused);
         targets_.controlword = control_of(command::quick_stop);
     }
-    take_over();
+    if (std::exchange(is_braking_, !is_at_standstill()))
+        brake();
+    else
+        take_over();
     return false;
 }
 
+JAUSCAT_CONSTEXPR void axis::brake() noexcept {
+    profile_.step_at(0, limits(), step_);
+    if (feedback_.mode != mode::cyclic_synchronous_position) start_at(profile_.velocity());
+    targets_.position = rounded(profile_.position());
+    targets_.velocity = rounded(profile_.velocity() * velocity_factor());
+}
+
 JAUSCAT_CONSTEXPR void axis::take_over() noexcept {
-    const auto velocity = is_at_standstill() ? 0 : feedback_.velocity;
-    profile_.reset(feedback_.position, velocity / velocity_factor());
+    start_at(is_at_standstill() ? 0 : velocity() / velocity_factor());
     torque_ = 0;
-    targets_.position = feedback_.position;
-    targets_.velocity = velocity;
+    targets_.position = rounded(profile_.position());
+    targets_.velocity = rounded(profile_.velocity() * velocity_factor());
     targets_.torque = 0;
+}
+
+JAUSCAT_CONSTEXPR void axis::start_at(double velocity) noexcept {
+    // Where it will be when the targets are sent, in whole units.
+    constexpr double most = std::numeric_limits<std::int32_t>::max();
+    const double ahead = std::clamp(velocity * std::chrono::duration<double>{period_}.count(), -most, most);
+    profile_.reset(static_cast<double>(feedback_.position) + static_cast<std::int32_t>(ahead), velocity);
 }
 
 JAUSCAT_CONSTEXPR void axis::step(time_point now) noexcept {
@@ -331,20 +441,20 @@ JAUSCAT_CONSTEXPR void axis::step(time_point now) noexcept {
     switch (targets_.mode) {
     case mode::cyclic_synchronous_position:
         if (position_goal_ && !rests)
-            profile_.step_to(*position_goal_, limits(), seconds());
+            profile_.step_to(*position_goal_, limits(), step_);
         else
-            profile_.step_at(0, limits(), seconds());
+            profile_.step_at(0, limits(), step_);
         targets_.position = rounded(profile_.position());
         targets_.velocity = rounded(profile_.velocity() * velocity_factor());
         break;
     case mode::cyclic_synchronous_velocity:
-        profile_.step_at(rests ? 0 : allowed_velocity(), limits(), seconds());
+        profile_.step_at(rests ? 0 : allowed_velocity(), limits(), step_);
         targets_.position = feedback_.position;
         targets_.velocity = rounded(profile_.velocity() * velocity_factor());
         break;
     case mode::cyclic_synchronous_torque:
     case mode::profile_torque:
-        torque_ = detail::approach(torque_, rests ? 0 : allowed_torque(), options_.torque_slope * seconds());
+        torque_ = detail::approach(torque_, rests ? 0 : allowed_torque(), options_.torque_slope * step_);
         targets_.position = feedback_.position;
         targets_.torque = static_cast<std::int16_t>(rounded(torque_));
         break;
@@ -384,8 +494,8 @@ JAUSCAT_CONSTEXPR double axis::allowed_velocity() const noexcept {
 JAUSCAT_CONSTEXPR double axis::allowed_torque() const noexcept {
     const bool upwards = torque_goal_ > 0, downwards = torque_goal_ < 0;
     const bool is_limited =
-        (upwards && (feedback_.position >= options_.max_position || feedback_.velocity >= options_.max_velocity)) ||
-        (downwards && (feedback_.position <= options_.min_position || feedback_.velocity <= -options_.max_velocity));
+        (upwards && (feedback_.position >= options_.max_position || velocity() >= options_.max_velocity)) ||
+        (downwards && (feedback_.position <= options_.min_position || velocity() <= -options_.max_velocity));
     return is_limited ? 0 : torque_goal_;
 }
 

@@ -19,7 +19,9 @@ JAUSCAT_CONSTEXPR axis_feedback axis_places::load(std::span<const std::byte> inp
             .position = cia402::load<std::int32_t>(position, inputs),
             .velocity = cia402::load<std::int32_t>(velocity, inputs),
             .torque = cia402::load<std::int16_t>(torque, inputs),
-            .error_code = cia402::load<std::uint16_t>(error_code, inputs)};
+            .error_code = cia402::load<std::uint16_t>(error_code, inputs),
+            .has_position = position.is_mapped(),
+            .has_velocity = velocity.is_mapped()};
 }
 
 JAUSCAT_CONSTEXPR const object* axis_places::missing_for(cia402::mode wanted) const noexcept {

@@ -34,8 +34,10 @@ JAUSCAT_FUNCTION void packet_slave_handles::put_active(const master& m, const pa
 
 JAUSCAT_FUNCTION void packet_slave_handles::put(std::uint16_t station, const packet_io& io) noexcept {
     const auto used = wire::encode(hilscher::slave_handle{station}, io.room(fields_size + size_));
-    if (!used) status_ = hilscher::packet_status::out_of_memory;
-    size_ += used->size();
+    if (used)
+        size_ += used->size();
+    else
+        status_ = hilscher::packet_status::out_of_memory;
 }
 
 JAUSCAT_FUNCTION service_step packet_emergencies::begin(master& m, const packet_io&) noexcept {

@@ -28,9 +28,10 @@ JAUSCAT_FUNCTION service_step packet_set_state::begin(master& m, const packet_io
     }
     goal_ = static_cast<al_state>(asked.us_new_ec_state);
     if (!m.idle()) return service_step::done(packet_status::state_change_busy);
-    if (io.options.slaves.size() > bus_.size()) return service_step::done(packet_status::coe_no_resource);
+    const auto count = io.options.slaves.empty() ? m.slaves().size() : io.options.slaves.size();
+    if (count > capacity) return service_step::done(packet_status::coe_no_resource);
     for (const auto& slave : io.options.slaves) bus_[count_++] = {slave.position, slave.station};
-    if (count_ == 0)
+    if (io.options.slaves.empty())
         for (const auto& known : m.slaves()) bus_[count_++] = {known.position, known.station};
     if (count_ == 0) return service_step::done(packet_status::wrong_internal_state);
     return advance(m, io);

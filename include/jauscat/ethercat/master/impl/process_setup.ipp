@@ -103,6 +103,7 @@ JAUSCAT_FUNCTION progress process_setup::next_manager() noexcept {
 JAUSCAT_FUNCTION progress process_setup::assigned(std::uint32_t value) noexcept {
     if (pdo_ == 0) {
         pdos_left_ = value;
+        if (!takes_objects(value)) return give_back({.code = master_errc::too_many_entries});
     } else {
         mapping_ = static_cast<std::uint16_t>(value);
         entry_ = 0;
@@ -118,12 +119,19 @@ JAUSCAT_FUNCTION progress process_setup::next_pdo() noexcept {
 }
 
 JAUSCAT_FUNCTION progress process_setup::mapped(std::uint32_t value) noexcept {
-    if (entry_ == 0)
-        entries_left_ = value;
-    else
+    if (entry_ != 0) {
         managed().bits += value & 0xFF; // index, subindex and, in the low byte, bits
+    } else {
+        entries_left_ = value;
+        if (!takes_objects(value)) return give_back({.code = master_errc::too_many_entries});
+    }
     if (entry_++ != entries_left_) return go(step::mapping);
     return next_pdo();
+}
+
+JAUSCAT_FUNCTION bool process_setup::takes_objects(std::uint32_t more) noexcept {
+    objects_ += more;
+    return objects_ <= max_process_objects;
 }
 
 JAUSCAT_FUNCTION std::span<std::byte> process_setup::room(std::uint32_t subindex) noexcept {

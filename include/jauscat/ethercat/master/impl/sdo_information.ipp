@@ -53,6 +53,8 @@ JAUSCAT_FUNCTION reply_kind sdo_information::take(std::span<const std::byte> mes
     if (message.size() > into_.size() - done_)
         return finish(
             master_error{.code = master_errc::data_too_long, .bytes = static_cast<std::uint32_t>(into_.size())});
+    if (header.fragments_left > most_fragments())
+        return finish(master_error{.code = master_errc::too_many_fragments, .fragments = header.fragments_left});
     if (begun_ && header.fragments_left + 1u != left_)
         return finish(master_error{.code = master_errc::fragment_missing, .fragments = left_ - 1u});
     begun_ = true;

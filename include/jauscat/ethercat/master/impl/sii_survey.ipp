@@ -77,6 +77,8 @@ JAUSCAT_FUNCTION progress sii_survey::pdo_read() noexcept {
     sii_pdo pdo{};
     static_cast<void>(wire::decode_prefix(pdo, buffer_));
     entries_left_ = pdo.entries;
+    objects_ += 1 + entries_left_;
+    if (objects_ > max_process_objects) return fail({.code = master_errc::too_many_entries});
     carrier_ = pdo.sync_manager;
     return next_pdo_entry(word_ + pdo_words);
 }

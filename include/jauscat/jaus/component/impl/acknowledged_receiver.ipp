@@ -41,7 +41,7 @@ JAUSCAT_CONSTEXPR void acknowledged_receiver::settle(acknowledged_message& place
 
 JAUSCAT_CONSTEXPR acknowledged_message* acknowledged_receiver::first_pending(const header& head) const noexcept {
     acknowledged_message* first = nullptr;
-    for (acknowledged_message& m : places_) {
+    for (acknowledged_message& m : used()) {
         const bool is_it = m.answer == ack_nak::request && m.source == head.source &&
                            m.command_code == head.command_code && m.sequence_number == head.sequence_number;
         if (is_it && (first == nullptr || m.until < first->until)) first = &m;
@@ -65,16 +65,18 @@ JAUSCAT_CONSTEXPR bool acknowledged_receiver::is_free(const acknowledged_message
     return !is_pending(m) && (m.answer == ack_nak::none || m.superseded || m.until <= now);
 }
 
-JAUSCAT_CONSTEXPR acknowledged_receiver::search acknowledged_receiver::find(const acknowledged_message& key,
-                                                                            time_point now) const noexcept {
+JAUSCAT_CONSTEXPR acknowledged_receiver::search
+acknowledged_receiver::find(const acknowledged_message& key, time_point now, const address* controller) noexcept {
     search found{};
     const acknowledged_message* used_again = nullptr; // the last message that had this number
     const auto is_over = [&](const acknowledged_message& m) { return !is_pending(m) && m.until <= now; };
-    for (acknowledged_message& m : places_) {
+    while (used_ != 0 && is_over(places_[used_ - 1])) --used_;
+    for (acknowledged_message& m : used()) {
         const bool is_same_message = m.source == key.source && m.sequence_number == key.sequence_number &&
                                      m.command_code == key.command_code && m.digest == key.digest;
+        if (!is_free(m, now) && (controller == nullptr || m.source != *controller)) ++found.of_others;
         if (is_free(m, now)) {
-            if (found.free == nullptr || !is_over(*found.free)) found.free = &m;
+            if (found.free == nullptr || (is_over(m) && !is_over(*found.free))) found.free = &m;
             const bool was_done = m.superseded && m.answer == ack_nak::ack && !is_over(m);
             found.may_be_done |= was_done && is_same_message && key.sequence_number == 0;
         } else if (m.source == key.source) {
@@ -88,13 +90,15 @@ JAUSCAT_CONSTEXPR acknowledged_receiver::search acknowledged_receiver::find(cons
                 used_again = &m;
         }
     }
+    const bool has_more = used_ != places_.size();
+    if (has_more && (found.free == nullptr || !is_over(*found.free))) found.free = &places_[used_];
     if (used_again == nullptr) return found;
     const auto used_until = used_again->until;
-    for (acknowledged_message& m : places_)
+    for (acknowledged_message& m : used())
         if (m.source == key.source &&
             (key.sequence_number == 0 ? m.sequence_number == 0 : !is_later(m, key, used_until)))
             m.superseded = true;
-    return find(key, now);
+    return find(key, now, controller);
 }
 
 JAUSCAT_CONSTEXPR bool acknowledged_receiver::is_later(const acknowledged_message& m, const acknowledged_message& key,

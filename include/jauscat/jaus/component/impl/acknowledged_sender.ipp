@@ -9,6 +9,7 @@ JAUSCAT_CONSTEXPR std::string_view describe(delivered what) noexcept {
     case delivered::acknowledged: return "acknowledged";
     case delivered::refused: return "refused by the receiver (NAK)";
     case delivered::timed_out: return "no acknowledgement in time";
+    case delivered::control_lost: return "control was lost before an acknowledgement";
     }
     return "unknown";
 }

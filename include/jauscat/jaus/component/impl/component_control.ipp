@@ -11,26 +11,129 @@ JAUSCAT_CONSTEXPR command_rule component_control::rule(std::uint16_t command_cod
 }
 
 JAUSCAT_CONSTEXPR bool component_control::admits(const header& head) noexcept {
-    if (controls(head.source) || !controller_ || rule(head.command_code) == command_rule::open) return true;
-    ++refused_;
-    return false;
+    const bool is_admitted = would_admit(head);
+    if (!is_admitted) ++refused_;
+    return is_admitted;
+}
+
+JAUSCAT_CONSTEXPR bool component_control::would_admit(const header& head) const noexcept {
+    if (controls(head.source)) return true;
+    const command_rule rule_of_it = rule(head.command_code);
+    const bool needs_control = controller_.has_value() || (rule_of_it == command_rule::moving &&
+                                                           options_.without_control == motion_without_control::refused);
+    return !needs_control || rule_of_it == command_rule::open;
 }
 
 JAUSCAT_CONSTEXPR void component_control::heard(const address& who, time_point now) noexcept {
-    if (!controls(who)) return;
-    heard_ = now;
-    asked_ = 0;
+    const auto hear = [&](watch& life) {
+        life.heard = now;
+        life.asked = 0;
+    };
+    if (controls(who)) hear(life_);
+    if (mover* const found = mover_of(who)) hear(found->life);
 }
 
 JAUSCAT_CONSTEXPR bool component_control::takes_pulse(const header& head) noexcept {
-    const bool is_it =
-        pulses_ != 0 && head.command_code == command_code_of<report_heartbeat_pulse> && controls(head.source);
-    pulses_ = static_cast<std::uint8_t>(pulses_ - is_it);
-    return is_it;
+    if (head.command_code != command_code_of<report_heartbeat_pulse>) return false;
+    const auto take = [](watch& life) {
+        const bool is_it = life.pulses != 0;
+        life.pulses = static_cast<std::uint8_t>(life.pulses - is_it);
+        return is_it;
+    };
+    if (controls(head.source) && take(life_)) return true;
+    mover* const found = mover_of(head.source);
+    return found != nullptr && take(found->life);
 }
 
 JAUSCAT_CONSTEXPR bool component_control::controls(const address& who) const noexcept {
     return controller_ && controller_->address == who;
+}
+
+JAUSCAT_CONSTEXPR void component_control::obeyed(const header& head, message_outcome outcome, time_point now) noexcept {
+    const bool is_executed = outcome == message_outcome::handled;
+    if (!is_executed && outcome != message_outcome::deferred) return;
+    if (!is_motion(head)) return;
+    mover& sender = watched(head.source, now);
+    if (is_executed)
+        replace_others(sender.sender);
+    else
+        sender.waits = true;
+}
+
+JAUSCAT_CONSTEXPR void component_control::finished(const header& head, bool executed, time_point now) noexcept {
+    if (!is_motion(head)) return;
+    mover* found = mover_of(head.source);
+    if (found == nullptr && executed) found = &watched(head.source, now);
+    if (found == nullptr) return; // the actuators were brought to rest meanwhile
+    found->waits = false;
+    found->is_in_force = true;
+    if (executed) replace_others(head.source);
+}
+
+JAUSCAT_CONSTEXPR void component_control::at_rest() noexcept {
+    mover_count_ = 0;
+    lost_mover_.reset();
+}
+
+JAUSCAT_CONSTEXPR bool component_control::is_moved_by(const address& who) const noexcept {
+    return std::ranges::find(moving(), who, &mover::sender) != moving().end();
+}
+
+JAUSCAT_CONSTEXPR component_control::mover* component_control::mover_of(const address& who) noexcept {
+    const auto all = moving();
+    const auto found = std::ranges::find(all, who, &mover::sender);
+    return found == all.end() ? nullptr : &*found;
+}
+
+JAUSCAT_CONSTEXPR component_control::mover& component_control::watched(const address& who, time_point now) noexcept {
+    mover added{.sender = who, .life = {.heard = now}};
+    if (const mover* const known = mover_of(who)) {
+        added = *known;
+        remove(*known);
+    }
+    if (mover_count_ == movers_.size()) {
+        const auto all = moving();
+        const auto waiting = std::ranges::find(all, false, &mover::is_in_force);
+        remove(waiting == all.end() ? all.front() : *waiting);
+    }
+    return movers_[mover_count_++] = added;
+}
+
+JAUSCAT_CONSTEXPR void component_control::remove(const mover& gone) noexcept {
+    for (auto i = static_cast<std::size_t>(&gone - movers_.data()); i + 1 < mover_count_; ++i)
+        movers_[i] = movers_[i + 1];
+    --mover_count_;
+}
+
+JAUSCAT_CONSTEXPR void component_control::replace_others(const address& who) noexcept {
+    for (std::size_t i = mover_count_; i-- != 0;) {
+        movers_[i].is_in_force = movers_[i].sender == who;
+        if (!movers_[i].is_in_force && !movers_[i].waits) remove(movers_[i]);
+    }
+}
+
+JAUSCAT_CONSTEXPR void component_control::lose(const address& who) noexcept {
+    lost_mover_ = who;
+    mover_count_ = 0; // all come to rest
+}
+
+JAUSCAT_CONSTEXPR bool component_control::is_motion(const header& head) const noexcept {
+    return options_.without_control != motion_without_control::unwatched &&
+           rule(head.command_code) == command_rule::moving;
+}
+
+JAUSCAT_CONSTEXPR time_point component_control::next_event(const watch& life) const noexcept {
+    return saturating_add(life.heard, std::min((life.asked + 1) * quarter(), options_.timeout));
+}
+
+JAUSCAT_CONSTEXPR bool component_control::look(watch& life, const address& who, time_point now,
+                                               message_sink out) noexcept {
+    if (now < next_event(life)) return true;
+    if (now >= saturating_add(life.heard, options_.timeout)) return false;
+    life.asked = (now - life.heard) / quarter();
+    if (life.pulses != 255) ++life.pulses;
+    static_cast<void>(put({.destination = who, .source = self_}, query_heartbeat_pulse{}, out));
+    return true;
 }
 
 JAUSCAT_CONSTEXPR message_outcome component_control::on_message(const header& head, std::span<const std::byte> body,
@@ -61,17 +164,19 @@ JAUSCAT_CONSTEXPR message_outcome component_control::on_message(const header& he
 }
 
 JAUSCAT_CONSTEXPR void component_control::on_time(time_point now, message_sink out) noexcept {
-    const auto due = next_event();
-    if (!due || now < *due) return;
-    if (now >= saturating_add(heard_, options_.timeout)) return take_back(control_change::lost, out);
-    asked_ = (now - heard_) / quarter();
-    if (pulses_ != 255) ++pulses_;
-    static_cast<void>(put({.destination = controller_->address, .source = self_}, query_heartbeat_pulse{}, out));
+    if (!is_timed()) return;
+    if (controller_ && !look(life_, controller_->address, now, out)) take_back(control_change::lost, out);
+    for (mover& each : moving())
+        if (!controls(each.sender) && !look(each.life, each.sender, now, out)) return lose(each.sender);
 }
 
 JAUSCAT_CONSTEXPR std::optional<time_point> component_control::next_event() const noexcept {
-    if (!controller_ || options_.timeout == options_.timeout.zero()) return std::nullopt;
-    return saturating_add(heard_, std::min((asked_ + 1) * quarter(), options_.timeout));
+    std::optional<time_point> first;
+    if (!is_timed()) return first;
+    if (controller_) first = next_event(life_);
+    for (const mover& each : moving())
+        if (const auto next = next_event(each.life); !controls(each.sender) && (!first || next < *first)) first = next;
+    return first;
 }
 
 JAUSCAT_CONSTEXPR void component_control::request(const header& head, std::uint8_t authority, time_point now,
@@ -85,7 +190,7 @@ JAUSCAT_CONSTEXPR void component_control::request(const header& head, std::uint8
     const bool is_other = controller_ && !is_controller;
     if (is_other) take_back(control_change::taken_over, out);
     last_change_ = is_other ? control_change::taken_over : control_change::granted;
-    if (!is_controller) pulses_ = 0;
+    if (!is_controller) life_ = {};
     controller_ = jaus::controller{head.source, authority};
     heard(head.source, now);
     static_cast<void>(answer(head, self_, confirm_component_control{control_accepted}, out));
@@ -94,6 +199,7 @@ JAUSCAT_CONSTEXPR void component_control::request(const header& head, std::uint8
 JAUSCAT_CONSTEXPR void component_control::end(control_change why) noexcept {
     controller_.reset();
     last_change_ = why;
+    if (why == control_change::lost) mover_count_ = 0; // all come to rest
 }
 
 JAUSCAT_CONSTEXPR void component_control::take_back(control_change why, message_sink out) noexcept {

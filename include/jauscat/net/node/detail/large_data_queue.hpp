@@ -28,7 +28,11 @@ struct large_data_pacing {
     retry_policy retry{.interval = std::chrono::milliseconds{50}, .attempts = 21}; ///< of a packet
 };
 
-/// Copies of bodies, sent one after the other, because packets do not identify their data set.
+/// Copies of bodies. Those to one node are sent one after the other, and those of one source and code to one
+/// destination in their order, because packets do not identify their data set; other nodes do not wait for them. All
+/// share the pacing.
+///
+/// A report without acknowledgement takes the place of an earlier one that waits.
 ///
 /// If a data set requests acknowledgement, each packet is repeated until its ACK is received. The first packet is sent
 /// alone, and so is the last: the receiver then has a place for the data set before a packet is repeated, and
@@ -70,47 +74,51 @@ class large_data_queue {
             made->digests = digests_of(body);
         }
         waiting_ += body.size();
-        if (!current_) next_ = std::min(next_, ready_at(*made));
+        if (const auto old = superseded_by(*made); old != sets_.end()) {
+            waiting_ -= (*old)->body.size();
+            *old = std::move(made);
+            return jaus::errc::ok;
+        }
+        choose_at_ = std::min(choose_at_, ready_at(*made));
+        next_ = std::min(next_, choose_at_);
         sets_.push_back(std::move(made));
         return jaus::errc::ok;
     }
     void on_time(time_point now, jaus::message_sink out, const done_handler& done) {
-        if (!current_ && !choose(now)) return;
         if (now < next_) return;
-        const auto set = current_; // a handler may call clear() meanwhile
-        next_ = now + beat;
-        if (set->packets.empty()) {
-            for (unsigned i = 0; i != pacing_.packets && current_ == set && set->sender.next(out); ++i) {}
-            if (current_ == set && set->sender.sent() == set->sender.packets()) end(now);
-            return;
+        if (choose_at_ <= now) choose(now);
+        if (next_beat_ <= now) {
+            next_beat_ = now + beat;
+            if (!send(now, out, done)) return; // cleared by a handler
         }
-        if (!set->outcome && !send_acknowledged(*set, now, out)) set->outcome = jaus::delivered::timed_out;
-        if (!set->outcome || current_ != set) return;
-        end(now);
-        if (done) done(set->head, *set->outcome);
+        set_next_event();
     }
     /// True if it was the ACK or NAK of a sent packet, also a late one.
     bool on_acknowledgement(const jaus::header& head, time_point now) {
-        if (!current_ || current_->packets.empty()) return false;
-        auto& set = *current_;
-        if (head.command_code != set.head.command_code || head.source != set.head.destination ||
-            head.destination != set.head.source || head.sequence_number >= set.packets.size())
-            return false;
-        auto& packet = set.packets[head.sequence_number];
-        if (packet.sent == 0) return false;
-        if (set.outcome || packet.tries == 0) return true;
-        if (head.ack_nak == jaus::ack_nak::nak)
-            set.outcome = jaus::delivered::refused;
-        else if (!std::exchange(packet.acknowledged, true) && ++set.acknowledged == set.packets.size())
-            set.outcome = jaus::delivered::acknowledged;
-        next_ = std::min(next_, now + beat); // the next packets may be sent, or it has ended
-        return true;
+        for (const auto& each : active_) {
+            auto& set = *each;
+            if (set.packets.empty() || head.command_code != set.head.command_code ||
+                head.source != set.head.destination || head.destination != set.head.source ||
+                head.sequence_number >= set.packets.size())
+                continue;
+            auto& packet = set.packets[head.sequence_number];
+            if (packet.sent == 0) return false;
+            if (set.outcome || packet.tries == 0) return true;
+            if (head.ack_nak == jaus::ack_nak::nak)
+                set.outcome = jaus::delivered::refused;
+            else if (!std::exchange(packet.acknowledged, true) && ++set.acknowledged == set.packets.size())
+                set.outcome = jaus::delivered::acknowledged;
+            set.next = std::min(set.next, now + beat); // the next packets may be sent, or it has ended
+            set_next_event();
+            return true;
+        }
+        return false;
     }
     [[nodiscard]] std::optional<time_point> next_event() const noexcept {
         return size() == 0 ? std::nullopt : std::optional{next_};
     }
     /// Number of data sets that are not yet sent.
-    [[nodiscard]] std::size_t size() const noexcept { return sets_.size() + (current_ ? 1 : 0); }
+    [[nodiscard]] std::size_t size() const noexcept { return sets_.size() + active_.size(); }
     /// Clears the queue and sends nothing before the pause is over: packets from before a restart may still be in
     /// transit.
     void start(time_point now) {
@@ -121,9 +129,10 @@ class large_data_queue {
     /// May be called from a handler.
     void clear() noexcept {
         sets_.clear();
-        current_.reset();
+        active_.clear();
         waiting_ = 0;
-        next_ = time_point::max();
+        next_ = choose_at_ = time_point::max();
+        ++clears_;
     }
 
   private:
@@ -155,6 +164,7 @@ class large_data_queue {
         bool is_sent_again{};                     ///< all of it, after the last packet
         std::optional<time_point> last_sent_at{}; ///< first transmission of the last packet
         std::optional<jaus::delivered> outcome{};
+        time_point next{}; ///< when something is to be sent, or it has ended
     };
     /// What went last from a source to a destination with a command code.
     struct rest {
@@ -169,10 +179,7 @@ class large_data_queue {
     [[nodiscard]] time_point ready_at(const entry& set) const noexcept {
         time_point at = begins_at_;
         for (const rest& one : rests_) {
-            const auto &to = set.head.destination, &before = one.head.destination;
-            if (one.head.command_code != set.head.command_code || one.head.source != set.head.source ||
-                !(jaus::stands_for(to, before) || jaus::stands_for(before, to)))
-                continue;
+            if (!collide(one.head, set.head)) continue;
             at = std::max(at, saturating_add(one.since, one.pause));
             if (!set.packets.empty() && one.known_since && one.digest == set.digest)
                 at = std::max(at, saturating_add(*one.known_since, saturating_add(memory, pacing_.pause)));
@@ -194,46 +201,112 @@ class large_data_queue {
                 set.packets[i].is_alike = set.digests[i] == one.digests[i];
         }
     }
-    // The first that is not in its pause becomes the current one.
-    bool choose(time_point now) {
-        if (now < next_) return false;
-        next_ = time_point::max();
+    /// An earlier report that waits, without acknowledgement: nobody wants its old values.
+    [[nodiscard]] std::deque<std::unique_ptr<entry>>::iterator superseded_by(const entry& made) noexcept {
+        const auto& head = made.head;
+        const bool is_report = head.command_code >= 0x4000 && head.command_code < 0x6000;
+        if (!is_report || !made.packets.empty()) return sets_.end();
+        return std::ranges::find_if(sets_, [&](const auto& each) {
+            return each->packets.empty() && each->head.command_code == head.command_code &&
+                   each->head.source == head.source && each->head.destination == head.destination;
+        });
+    }
+    /// Packets of the two cannot be told apart by a receiver.
+    [[nodiscard]] static bool collide(const jaus::header& one, const jaus::header& other) noexcept {
+        const auto &to = one.destination, &before = other.destination;
+        return one.command_code == other.command_code && one.source == other.source &&
+               (jaus::stands_for(to, before) || jaus::stands_for(before, to));
+    }
+    [[nodiscard]] static bool have_one_node(const jaus::header& one, const jaus::header& other) noexcept {
+        return one.destination.subsystem == other.destination.subsystem &&
+               one.destination.node == other.destination.node;
+    }
+    // The first of each node that is not in its pause, and overtakes none, becomes active.
+    void choose(time_point now) {
+        choose_at_ = time_point::max();
         const auto longest = saturating_add(saturating_add(memory, pacing_.pause), pacing_.pause);
         std::erase_if(rests_, [&](const rest& one) { return saturating_add(one.since, longest) <= now; });
-        for (auto at = sets_.begin(); at != sets_.end(); ++at) {
-            const time_point ready = ready_at(**at);
-            if (ready <= now) {
-                current_ = std::move(*at);
-                sets_.erase(at);
-                note_alike(*current_, now);
-                next_ = now;
-                return true;
+        std::vector<jaus::header> before; // of those that wait
+        for (auto at = sets_.begin(); at != sets_.end();) {
+            const auto& head = (*at)->head;
+            const bool waits =
+                std::ranges::any_of(
+                    active_,
+                    [&](const auto& each) { return have_one_node(each->head, head) || collide(each->head, head); }) ||
+                std::ranges::any_of(before, [&](const auto& each) { return collide(each, head); });
+            const auto ready = waits ? time_point::max() : ready_at(**at);
+            if (ready > now) {
+                choose_at_ = std::min(choose_at_, ready);
+                if (!waits) before.push_back(head);
+                ++at;
+                continue;
             }
-            next_ = std::min(next_, ready);
+            active_.push_back(std::move(*at));
+            at = sets_.erase(at);
+            note_alike(*active_.back(), now);
+            active_.back()->next = now;
         }
-        return false;
+    }
+    // The packets of one beat, of the active data sets in turn. False: a handler has cleared the queue.
+    bool send(time_point now, jaus::message_sink out, const done_handler& done) {
+        const auto clears = clears_;
+        unsigned left = pacing_.packets;
+        for (auto count = active_.size(); count-- != 0;) {
+            const auto set = active_.front(); // a handler may clear the queue
+            std::rotate(active_.begin(), active_.begin() + 1, active_.end());
+            if (set->next > now) continue;
+            if (left == 0) {
+                set->next = now + beat;
+                continue;
+            }
+            const bool is_over =
+                set->packets.empty() ? send_plain(*set, left, out) : send_awaited(*set, now, left, out);
+            if (clears != clears_) return false;
+            if (!is_over) continue;
+            end(set, now);
+            if (!set->outcome || !done) continue;
+            done(set->head, *set->outcome);
+            if (clears != clears_) return false;
+        }
+        return true;
+    }
+    [[nodiscard]] bool is_active(const entry& set) const noexcept {
+        return std::ranges::any_of(active_, [&](const auto& each) { return each.get() == &set; });
+    }
+    // True: it has ended.
+    bool send_plain(entry& set, unsigned& left, jaus::message_sink out) {
+        while (left != 0 && is_active(set) && set.sender.next(out)) --left;
+        set.next = next_beat_;
+        return set.sender.sent() == set.sender.packets();
+    }
+    bool send_awaited(entry& set, time_point now, unsigned& left, jaus::message_sink out) {
+        if (!set.outcome && !send_acknowledged(set, now, left, out)) set.outcome = jaus::delivered::timed_out;
+        return set.outcome.has_value();
+    }
+    void set_next_event() noexcept {
+        next_ = choose_at_;
+        for (const auto& each : active_) next_ = std::min(next_, std::max(each->next, next_beat_));
     }
 
     /// False if all attempts of a packet are made.
-    bool send_acknowledged(entry& set, time_point now, jaus::message_sink out) {
+    bool send_acknowledged(entry& set, time_point now, unsigned& left, jaus::message_sink out) {
         if (set.is_sent_again && !is_known_still(set, now)) return false;
         const auto last = set.packets.size() - 1;
         while (set.first_open != last && set.packets[set.first_open].acknowledged) ++set.first_open;
         const auto behind = set.first_open == 0 ? std::size_t{1} : set.first_open == last ? last + 1 : last;
-        unsigned left = pacing_.packets;
-        next_ = saturating_add(now, pacing_.retry.interval);
+        set.next = saturating_add(now, pacing_.retry.interval);
         for (auto i = set.first_open; i != behind; ++i) {
             auto& packet = set.packets[i];
             if (packet.acknowledged) continue;
             if (packet.tries == 0 || packet.due <= now) {
                 if (left == 0) {
-                    next_ = now + beat;
+                    set.next = now + beat;
                     break;
                 }
                 if (!pacing_.retry.allows_another(packet.sent)) return false;
                 if (i != 0 && packet.tries == tries_until_restart && may_restart(set, now)) {
                     restart(set);
-                    next_ = now;
+                    set.next = now;
                     return true;
                 }
                 --left;
@@ -249,9 +322,9 @@ class large_data_queue {
                     static_cast<void>(set.sender.repeat(i, out)); // the packet was sent before
                 else
                     set.sender.next(out);
-                if (current_.get() != &set) return true; // cleared by a handler
+                if (!is_active(set)) return true; // cleared by a handler
             }
-            next_ = std::min(next_, packet.due);
+            set.next = std::min(set.next, packet.due);
         }
         return true;
     }
@@ -267,8 +340,8 @@ class large_data_queue {
         set.acknowledged = set.first_open = 0;
         for (auto& packet : set.packets) packet.tries = 0, packet.acknowledged = false;
     }
-    void end(time_point now) {
-        auto& set = *current_;
+    void end(const std::shared_ptr<entry>& ended, time_point now) {
+        auto& set = *ended;
         note({.head = set.head,
               .since = now,
               .pause = pause_after(set),
@@ -276,9 +349,8 @@ class large_data_queue {
               .digest = set.digest,
               .digests = std::move(set.digests)});
         waiting_ -= set.body.size();
-        current_.reset();
-        next_ = time_point::max();
-        for (const auto& waits : sets_) next_ = std::min(next_, ready_at(*waits));
+        std::erase(active_, ended);
+        if (!sets_.empty()) choose_at_ = now;
     }
 
     [[nodiscard]] duration pause_after(const entry& set) const noexcept {
@@ -308,10 +380,13 @@ class large_data_queue {
     large_data_pacing pacing_;
     std::size_t waiting_{};
     time_point next_{time_point::max()};
+    time_point choose_at_{time_point::max()}; ///< when a waiting data set may become active
+    time_point next_beat_{time_point::min()};
     time_point begins_at_{time_point::min()};
     std::deque<std::unique_ptr<entry>> sets_{};
-    std::shared_ptr<entry> current_{}; ///< being sent
+    std::vector<std::shared_ptr<entry>> active_{}; ///< being sent, at most one to each node
     std::vector<rest> rests_{};
+    unsigned clears_{}; ///< calls of clear(), which handlers may make
 };
 
 } // namespace jauscat::net::detail

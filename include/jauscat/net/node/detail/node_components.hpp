@@ -49,6 +49,9 @@ class node_components {
     void add(const attached_component& component, std::unique_ptr<default_answers> answers = {}) {
         all_.push_back({.it = component, .answers = std::move(answers)});
     }
+    void remove(const jaus::address& self) {
+        std::erase_if(all_, [&](const entry& one) { return one.it.self == self; });
+    }
     void replace(std::size_t place, const attached_component& component) { all_[place] = {.it = component}; }
     [[nodiscard]] std::vector<jaus::address> addresses() const {
         std::vector<jaus::address> list;
@@ -170,10 +173,7 @@ class node_components {
     void watch_peers(time_point now, jaus::message_sink out) {
         const auto is_known = [&](const jaus::address& peer) {
             bool any = false;
-            if (present_ != nullptr)
-                present_->for_each([&](const jaus::address& who) {
-                    any = any || (who.subsystem == peer.subsystem && who.node == peer.node);
-                });
+            if (present_ != nullptr) present_->for_each([&](const jaus::address& who) { any = any || who == peer; });
             return any;
         };
         peers_.on_time(now, is_known, out, [&](const jaus::address& gone) {

@@ -62,6 +62,10 @@ class node_core {
         };
         return route(message, head, jaus::here, now, queue);
     }
+    /// Where a message of this node would go: nothing is sent.
+    [[nodiscard]] jaus::routing route_of(const jaus::header& head) {
+        return router_->route(head, jaus::here, [](std::uint16_t, const jaus::address&) {}, [](jaus::hop) {});
+    }
     /// A message from the network.
     jaus::routing received(bytes message, const jaus::split_message& m, jaus::hop from, const arrival& at,
                            jaus::message_sink out) {

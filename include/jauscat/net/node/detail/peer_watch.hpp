@@ -3,6 +3,7 @@
 
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/jaus/component/command_rules.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/core.hpp>
@@ -17,9 +18,9 @@
 
 namespace jauscat::net::detail {
 
-/// Heartbeats are sent to node managers, so a program without one does not detect lost peers; neither does one with a
-/// node manager if a peer's node sends no heartbeats. A peer is therefore watched if it requests control, a service
-/// connection or events from a local component, sets its emergency, or confirms its event. After a time without
+/// The heartbeats of a node manager say nothing about the other components of its node: a component may end while its
+/// node lives. A peer is therefore watched if it requests control, a service connection or events from a local
+/// component, moves or stops one, or confirms its event. After a time without
 /// messages it is sent a Query Heartbeat Pulse (2202h); after the timeout without any message it is lost. The number of
 /// watched peers is bounded.
 class peer_watch {
@@ -36,7 +37,7 @@ class peer_watch {
         case jaus::command_code_of<jaus::create_service_connection>:
         case jaus::command_code_of<jaus::create_event>:
         case jaus::command_code_of<jaus::confirm_event_request>: return true;
-        default: return false;
+        default: return jaus::rule_of(command_code) == jaus::command_rule::moving;
         }
     }
     /// `component` depends on `peer` from now on.
@@ -67,8 +68,8 @@ class peer_watch {
         next_ = time_point::max();
     }
 
-    /// `is_known(peer)`: a local node manager receives the heartbeats of its node and detects its loss. `lost(peer)` is
-    /// called for each lost peer.
+    /// `is_known(peer)`: a local node manager receives the heartbeats of this component and detects its loss.
+    /// `lost(peer)` is called for each lost peer.
     void on_time(time_point now, auto&& is_known, jaus::message_sink out, auto&& lost) {
         if (now < next_) return;
         next_ = time_point::max();

@@ -60,6 +60,11 @@ JAUSCAT_DECL void node_machine::add(detail::attached_component component, detail
     parts_->core.components.add(component, std::move(answers));
 }
 
+JAUSCAT_DECL void node_machine::remove(const jaus::address& self) {
+    if (running() || in_turn()) throw std::logic_error{"components are taken away before the node is started"};
+    if (!has_manager() || self != self_) parts_->core.components.remove(self);
+}
+
 JAUSCAT_DECL void node_machine::start(time_point now) {
     if (running() || in_turn()) throw std::logic_error{"the node is running"};
     at_ = now;
@@ -153,7 +158,14 @@ JAUSCAT_DECL std::optional<time_point> node_machine::next_event() {
 JAUSCAT_DECL result<void, error> node_machine::send(jaus::header head, bytes body, time_point now) {
     if (!running()) return error{.code = errc::not_running, .reason = {}, .message = "the node is not running"};
     head.data_flag = jaus::data_flag::only;
+    const auto unroutable = [&head](jaus::routed outcome) {
+        return error{.code = errc::unroutable,
+                     .reason = reason_of(outcome),
+                     .message = std::string{describe(outcome)} + ": " + to_jausip(head.destination)};
+    };
     if (body.size() > jaus::max_body_size) {
+        if (const auto to = parts_->core.route_of(head); to.outcome >= jaus::routed::no_such_component)
+            return unroutable(to.outcome);
         const auto what = parts_->core.large.push(head, body);
         if (what != jaus::errc::ok)
             return error{.code = what == jaus::errc::no_space ? errc::queue_full : errc::invalid_message,
@@ -172,10 +184,7 @@ JAUSCAT_DECL result<void, error> node_machine::send(jaus::header head, bytes bod
                      .message = std::string{describe(made.error())}};
     const auto what = parts_->core.send(*made, now);
     wake_after_sending(now);
-    if (what.outcome >= jaus::routed::no_such_component)
-        return error{.code = errc::unroutable,
-                     .reason = reason_of(what.outcome),
-                     .message = std::string{describe(what.outcome)} + ": " + to_jausip(head.destination)};
+    if (what.outcome >= jaus::routed::no_such_component) return unroutable(what.outcome);
     return {};
 }
 

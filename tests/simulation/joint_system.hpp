@@ -1,0 +1,30 @@
+// One joint with limits behind a component, without a network: its motor is judged.
+#pragma once
+
+#include "simulation/world.hpp"
+
+#include <cstdint>
+#include <memory>
+
+namespace simulation {
+
+/// What is unusual about a run; the seed says which, one at a time, so that none hides another.
+enum class joint_trial : std::uint8_t {
+    plain,
+    period_changes, ///< another user of the bus has a shorter period
+    no_velocity,    ///< the process data have no velocity (606Ch)
+    long_ramp,      ///< a ramp that takes longer than the limit
+    slow_enabling,  ///< a brake that opens late
+    lasting_fault,  ///< a drive fault that Reset does not end
+    mode_refused,   ///< the drive does not take a mode
+    silent_sender,  ///< a sender without control that dies
+};
+inline constexpr unsigned joint_trial_count = 8;
+[[nodiscard]] constexpr joint_trial joint_trial_of(std::uint64_t seed) noexcept {
+    return static_cast<joint_trial>(seed % joint_trial_count);
+}
+
+/// It runs until its end.
+[[nodiscard]] std::unique_ptr<actor> make_joint_system(world& w, joint_trial what);
+
+} // namespace simulation
