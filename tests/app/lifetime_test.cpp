@@ -532,7 +532,8 @@ struct robot_bench : two_nodes {
 
 TEST_CASE("each function of a bus and of its slaves has a defined result in each of its states") {
     using bench = robot_bench;
-    constexpr std::string_view not_started = "the bus is not started";
+    constexpr std::string_view refused = "refused by the slave"; // which has no descriptions
+    constexpr std::string_view not_started = "the slaves are not known: start the bus";
     const std::vector<row<bench>> table{
         // new, started, stopped, and of slaves: without their bus, moved from
         {"async_start",
@@ -541,7 +542,7 @@ TEST_CASE("each function of a bus and of its slaves has a defined result in each
         {"slave",
          [](bench& b) { return done_by([&] { static_cast<void>(b.bus->slave({.position = 0})); }); },
          {"done", "done", "done"}},
-        {"slaves", [](bench& b) { return std::to_string(b.bus->slaves().size()); }, {"0", "1", "1"}},
+        {"slaves", [](bench& b) { return std::to_string(b.bus->slaves().size()); }, {"0", "1", "0"}},
         {"cancel", [](bench& b) { return done_by([&] { b.bus->cancel(); }); }, {"done", "done", "done"}},
         {"stop", [](bench& b) { return done_by([&] { b.bus->stop(); }); }, {"done", "done", "done"}},
         {"callbacks",
@@ -569,13 +570,13 @@ TEST_CASE("each function of a bus and of its slaves has a defined result in each
              return b.begin(
                  [&](auto done) { b.arm.async_list_objects(jauscat::ethercat::object_list_type::all, done); });
          },
-         {not_started, "?", not_started, aborted, "?"}},
+         {not_started, refused, not_started, aborted, refused}},
         {"async_describe",
          [](bench& b) { return b.begin([&](auto done) { b.arm.async_describe(0x2001, done); }); },
-         {not_started, "?", not_started, aborted, "?"}},
+         {not_started, refused, not_started, aborted, refused}},
         {"async_describe_entry",
          [](bench& b) { return b.begin([&](auto done) { b.arm.async_describe_entry(0x2001, 1, done); }); },
-         {not_started, "?", not_started, aborted, "?"}},
+         {not_started, refused, not_started, aborted, refused}},
         {"async_state",
          [](bench& b) { return b.begin([&](auto done) { b.arm.async_state(done); }); },
          {not_started, good, not_started, aborted, good}},
@@ -586,7 +587,7 @@ TEST_CASE("each function of a bus and of its slaves has a defined result in each
          {not_started, good, not_started, aborted, good}},
         {"async_operate",
          [](bench& b) { return b.begin([&](auto done) { b.arm.async_operate({}, done); }); },
-         {not_started, "?", not_started, aborted, "?"}},
+         {not_started, good, not_started, aborted, good}},
         {"is_operating, inputs and outputs",
          [](bench& b) {
              return std::string{b.arm.is_operating() || !b.arm.inputs().empty() || !b.arm.outputs().empty() ? "?"
@@ -595,7 +596,7 @@ TEST_CASE("each function of a bus and of its slaves has a defined result in each
          {"none", "none", "none", "none", "none"}},
         {"info",
          [](bench& b) { return done_by([&] { static_cast<void>(b.arm.info()); }); },
-         {not_started, "done", "done", "?", "done"}},
+         {not_started, "done", not_started, not_started, "done"}},
         {"choice", [](bench& b) { return std::to_string(*b.arm.choice().position); }, {"0", "0", "0", "0", "0"}},
         {"its end", [](bench& b) { return done_by([&] { b.bus.reset(); }); }, {"done", "done", "done", "done"}},
     };
@@ -631,7 +632,7 @@ TEST_CASE("each function of a bridge has a defined result in each of its states"
         {"serve",
          [](bench& b) { return done_by([&] { b.bridge->serve({.component = 34}, b.arm); }); },
          {"done", "the component 2.1.34.1 is served after the start of its node", "done", "bridge: its node has ended",
-          "done"}},
+          "the component 2.1.34.1 is served after the start of its node"}},
         {"callbacks",
          [](bench& b) {
              return done_by([&] {
@@ -645,7 +646,8 @@ TEST_CASE("each function of a bridge has a defined result in each of its states"
              });
          },
          {"done", "done", "done", "done", "done"}},
-        {"at_rest", [&](bench& b) { return yes_no(b.bridge->at_rest()); }, {"no", "yes", "yes", "yes", "yes"}},
+        // The slave has no objects for messages: it confirms no stop order.
+        {"at_rest", [&](bench& b) { return yes_no(b.bridge->at_rest()); }, {"yes", "no", "no", "no", "no"}},
         {"is_up", [&](bench& b) { return yes_no(b.bridge->is_up()); }, {"no", "yes", "no", "no", "no"}},
         {"its end",
          [](bench& b) {

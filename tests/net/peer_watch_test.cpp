@@ -82,7 +82,7 @@ TEST_CASE("a flood of peers that bind a component occupies a bounded number of p
     const auto self = make(2, 1, 33);
     for (unsigned node = 1; node != 255; ++node)
         for (unsigned component = 1; component != 255; ++component)
-            watch.bind(make(9, node, component), self, instant{0s});
+            static_cast<void>(watch.bind(make(9, node, component), self, instant{0s}));
     std::size_t asked = 0, lost = 0;
     const auto none_known = [](const jaus::address&) { return false; };
     const auto count_lost = [&](const jaus::address&) { ++lost; };
@@ -113,4 +113,19 @@ TEST_CASE("what a component has requested or moved ends with it, although its no
     REQUIRE(network.now - gone_at <= 3s);
     REQUIRE(robot.logged("1.1.32.1 does not answer any more"));
     REQUIRE(robot.disappeared.empty());
+}
+
+TEST_CASE("a peer with very many components leaves places to be watched to others") {
+    net::detail::peer_watch watch{3s};
+    const auto self = make(2, 1, 33);
+    std::size_t watched = 0;
+    for (unsigned component = 1; component != 255; ++component)
+        for (unsigned instance = 1; instance != 255; ++instance) {
+            auto peer = make(9, 1, component);
+            peer.instance = static_cast<std::uint8_t>(instance);
+            watched += watch.bind(peer, self, instant{0s});
+        }
+    CHECK(watched == net::detail::peer_watch::most * 3 / 4);
+    CHECK(watch.bind(make(9, 1, 1), self, instant{0s})); // it is watched already
+    CHECK(watch.bind(make(9, 2, 1), self, instant{0s}));
 }

@@ -29,7 +29,7 @@ using support::instant;
 namespace jaus = jauscat::jaus;
 namespace wire = jauscat::wire;
 
-constexpr jaus::address sensor{1, 42, 1, 2}, viewer{1, 40, 1, 1}, other{2, 40, 1, 1};
+constexpr jaus::address sensor{1, 42, 1, 2}, viewer{1, 40, 1, 1}, other{2, 40, 1, 1}, third{1, 40, 1, 3};
 constexpr std::uint16_t velocity = 0x4404, devices = 0x4406;
 
 jaus::typed_value real(double value) { return {.data_type = jaus::data_type::long_float, .value = value}; }
@@ -441,8 +441,10 @@ TEST_CASE("an impossible event is rejected with the reason") {
         r.limit_data_field = std::uint8_t{2};
     })) == invalid_event_setup);
 
-    for (std::uint8_t i = 0; i != 4; ++i) p.create(with([&](auto& r) { r.local_request_id = i; }));
-    REQUIRE(p.rejects(every) == connection_refused);
+    for (std::uint8_t i = 0; i != 3; ++i) p.create(with([&](auto& r) { r.local_request_id = i; }));
+    REQUIRE(p.rejects(every) == connection_refused); // its node has its share
+    REQUIRE(p.hear(third, every) == message_outcome::handled);
+    REQUIRE(p.rejects(every, jaus::address{1, 40, 1, 4}) == connection_refused); // all places are taken
     const jaus::update_event update{.message_code = velocity, .event_type = event_type::every_change, .event_id = 1};
     REQUIRE(p.rejects(update, other) == error_invalid_event_id_for_update_request);
     auto changed = update;
@@ -784,21 +786,21 @@ TEST_CASE("a consumer that restarts repeatedly leaves no events behind") {
         converse(p, c, now);
         REQUIRE(c.first().state == requested_state::active);
     }
-    REQUIRE(in_use(p) == 4);
+    REQUIRE(in_use(p) == 3); // the share of a node
     // Others find a place, and none is taken from an event that is wanted.
-    REQUIRE(p.hear(other, jaus::create_event{.message_code = velocity, .event_type = event_type::every_change}) ==
+    REQUIRE(p.hear(third, jaus::create_event{.message_code = velocity, .event_type = event_type::every_change}) ==
             message_outcome::handled);
-    REQUIRE(p.hear(other, jaus::create_event{.local_request_id = 1,
+    REQUIRE(p.hear(third, jaus::create_event{.local_request_id = 1,
                                              .message_code = velocity,
                                              .event_type = event_type::first_change}) == message_outcome::handled);
-    REQUIRE(p.hear(other, jaus::create_event{.local_request_id = 2,
+    REQUIRE(p.hear(third, jaus::create_event{.local_request_id = 2,
                                              .message_code = 0x4400,
                                              .event_type = event_type::periodic,
                                              .requested_periodic_rate = 1}) == message_outcome::handled);
     REQUIRE(
         p.rejects(
             jaus::create_event{.local_request_id = 3, .message_code = velocity, .event_type = event_type::every_change},
-            other) == event_response::connection_refused);
+            third) == event_response::connection_refused);
 }
 
 TEST_CASE("an event without a request is cancelled, at most once for each answer timeout") {

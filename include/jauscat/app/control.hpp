@@ -5,8 +5,8 @@
 namespace jauscat {
 inline namespace JAUSCAT_WAY {
 
-/// Control of another component: kept by heartbeats and requests, released with this object. Its functions need an
-/// object that component::async_control has made.
+/// Control of another component: kept by heartbeats and requests, released with this object. Made by
+/// component::async_control; another one, or one that was moved from, has no control of anything.
 class control {
   public:
     control() = default;
@@ -42,7 +42,7 @@ class control {
     }
     /// Whether it is not lost and not released.
     [[nodiscard]] JAUSCAT_DECL bool is_held() const noexcept;
-    /// The component that is controlled.
+    /// The component that is controlled; without one {}.
     [[nodiscard]] JAUSCAT_DECL const jaus::address& of() const noexcept;
     void release() noexcept {
         if (state_ && !std::exchange(is_released_, true)) app::end(state_);

@@ -30,14 +30,15 @@ class node {
     JAUSCAT_DECL node(int argc, const char* const* argv, node_options options = {});
     /// Throws `net::config_error` for an unusable configuration.
     JAUSCAT_DECL explicit node(const node_options& options = {});
-    /// The same in an io_context of the program, which must outlive the node.
+    /// The same in an io_context of the program, which must outlive the node, its components and their handles.
     JAUSCAT_DECL explicit node(boost::asio::io_context& context, const node_options& options = {});
     JAUSCAT_DECL ~node();
     node(const node&) = delete;
     node& operator=(const node&) = delete;
 
     /// Starts the node and works until SIGINT (Ctrl-C), SIGTERM or `stop`; then the components are stopped, see
-    /// component::when_stopped. Returns the exit code: 0, or 1 after an error, which is logged.
+    /// component::when_stopped, and the handlers of their operations are called. Returns the exit code: 0, or 1 after
+    /// an error, which is logged, as that the node runs already.
     JAUSCAT_DECL int run();
     /// Opens the sockets. For programs that run the io_context themselves. Throws `net::open_error` for an address or a
     /// port that cannot be used, `net::config_error`, and `std::logic_error`, with everything as before, if the node

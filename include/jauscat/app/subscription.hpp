@@ -22,8 +22,8 @@ template <jaus::coded_message Report> class subscription {
     }
 
     /// The next report. Errors: silent (once each time the reports stop; they may continue), connection_refused by a
-    /// provider that has restarted, malformed_answer; operation_aborted after `end`. One operation at a time. Needs
-    /// an object that async_connect or async_event has made.
+    /// provider that has restarted, malformed_answer; operation_aborted after `end`, and where async_connect or
+    /// async_event has not made this. One operation at a time.
     template <class Token = default_token> auto async_next(Token&& token = Token{}) {
         return boost::asio::async_initiate<Token, void(app::error_code, received<Report>)>(
             [](auto handler, const std::shared_ptr<app::subscription_state>& state) {

@@ -151,7 +151,10 @@ JAUSCAT_DECL std::string node_state::names() const {
     std::string all;
     for (const auto& one : components_)
         if (one->is_running())
-            all.append(", ").append(one->identity().identification).append(" ").append(net::to_jausip(one->self()));
+            all.append(one->identity().identification.empty() ? "," : ", ")
+                .append(one->identity().identification)
+                .append(" ")
+                .append(net::to_jausip(one->self()));
     return all;
 }
 

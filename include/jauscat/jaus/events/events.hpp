@@ -4,6 +4,7 @@
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/events/event_record.hpp>
+#include <jauscat/jaus/message/peer_share.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
 
@@ -11,7 +12,8 @@ namespace jauscat::jaus {
 
 /// Creates, updates, cancels and sends events; event_record.hpp describes the triggers. Only the requester of an event
 /// may update or cancel it. A repeated request is confirmed again and restarts its event. If no place is free, an event
-/// that its requester has superseded is replaced.
+/// that its requester has superseded is replaced. The components of one node have three quarters of the places at most,
+/// see peer_share.
 ///
 ///     const auto fill = [&](std::uint16_t code, std::span<const std::byte> query, std::span<std::byte> body) { ... };
 ///     constexpr std::array reports{jaus::eventful_report{0x4404, &jaus::read_field<jaus::report_velocity_state>}};
@@ -155,7 +157,7 @@ template <std::size_t Capacity> class events {
             start(*same, now, out);
             return message_outcome::handled;
         }
-        event_record* const place = free_place();
+        event_record* const place = free_place(head.source);
         if (place == nullptr)
             return reject(head, m.local_request_id, event_response::connection_refused, "too many events", out);
         *place = {.requester = head.source,
@@ -212,12 +214,18 @@ template <std::size_t Capacity> class events {
         return fits ? message_outcome::handled : message_outcome::refused;
     }
 
-    // A free place, or that of an event that its requester has superseded.
-    [[nodiscard]] constexpr event_record* free_place() noexcept {
-        auto found = std::ranges::find(events_, 0, &event_record::message_code);
+    // A free place, or that of an event that its requester has superseded; where the requester's node has its share, of
+    // an event of this node.
+    [[nodiscard]] constexpr event_record* free_place(const address& requester) noexcept {
+        const auto is_its = [&](const event_record& e) {
+            return e.message_code != 0 && are_of_one_node(e.requester, requester);
+        };
+        const bool has_share = std::cmp_greater_equal(std::ranges::count_if(events_, is_its), peer_share(Capacity));
+        auto found = has_share ? events_.end() : std::ranges::find(events_, 0, &event_record::message_code);
         if (found == events_.end())
             found = std::ranges::find_if(events_, [&](const event_record& old) {
-                return std::ranges::any_of(events_, [&](const event_record& e) { return supersedes(e, old); });
+                return (!has_share || is_its(old)) &&
+                       std::ranges::any_of(events_, [&](const event_record& e) { return supersedes(e, old); });
             });
         return found == events_.end() ? nullptr : &*found;
     }

@@ -5,6 +5,7 @@
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/events/update_rate.hpp>
 #include <jauscat/jaus/message/hook.hpp>
+#include <jauscat/jaus/message/peer_share.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
@@ -47,7 +48,8 @@ struct service_connection {
 /// that a lost confirmation is harmless. Only the requester may activate, suspend and terminate. The RA has no answer
 /// to these three; the caller acknowledges them on request (see message_outcome). Reports are due at absolute times,
 /// one period apart, from the request on; a late one is sent once, however many periods have passed. A report may have
-/// 4080 bytes: its sequence number counts sends, so it cannot be cut.
+/// 4080 bytes: its sequence number counts sends, so it cannot be cut. The components of one node have three quarters of
+/// the places at most, see peer_share.
 ///
 ///     const auto fill = [&](std::uint16_t code, std::uint32_t fields, std::span<std::byte> body) { ... };
 ///     jaus::service_connections<16> connections{self, reports, fill, memory};
@@ -179,11 +181,13 @@ template <std::size_t Capacity> class service_connections {
     // The connection that there is, or a free place.
     [[nodiscard]] constexpr service_connection* place_for(const address& consumer, std::uint16_t code) noexcept {
         service_connection* found = nullptr;
+        std::size_t of_node = 0;
         for (service_connection& c : connections_) {
             if (c.command_code == code && c.consumer == consumer) return &c;
             if (c.command_code == 0 && found == nullptr) found = &c;
+            of_node += c.command_code != 0 && are_of_one_node(c.consumer, consumer);
         }
-        return found;
+        return of_node < peer_share(Capacity) ? found : nullptr;
     }
     template <class Message, class F>
     constexpr message_outcome change(const header& head, std::span<const std::byte> body, F change) noexcept {

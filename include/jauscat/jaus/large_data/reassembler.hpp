@@ -3,6 +3,7 @@
 #include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/message/message.hpp>
+#include <jauscat/jaus/message/peer_share.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -50,7 +51,8 @@ struct held_packet {
 };
 
 struct reassembly_limits {
-    /// Places that one source may take, with several command codes at a time; 0: half of them, at least one.
+    /// Places that one source may take, with several command codes at a time; 0: half of them, at least one. All
+    /// sources of one node have three quarters at most, see peer_share.
     std::size_t places_per_source{};
     /// For this time after a data set is complete, packets equal to its own count as late copies of it, not as parts of
     /// an equal or similar next one; and for this time other packets may precede packet 0. As long as packets overtake
@@ -204,8 +206,13 @@ class reassembler {
         const auto of_source = [&](const partial_data_set& set) {
             return set.packets != 0 && set.header.source == head.source;
         };
+        const auto of_node = [&](const partial_data_set& set) {
+            return set.packets != 0 && are_of_one_node(set.header.source, head.source);
+        };
         const bool share_is_full =
             std::cmp_greater_equal(std::ranges::count_if(places_, of_source), limits_.places_per_source);
+        const bool node_is_full =
+            std::cmp_greater_equal(std::ranges::count_if(places_, of_node), peer_share(places_.size()));
         const auto reluctance = [&](const partial_data_set& set) {
             if (set.packets == 0) return 0;
             return stale(set, now) ? 1 : set.packets == 1 ? 2 : 3;
@@ -213,7 +220,8 @@ class reassembler {
         const int most = head.sequence_number == 0 ? 2 : 1;
         partial_data_set* best = nullptr;
         for (partial_data_set& set : places_) {
-            if (reluctance(set) > most || (share_is_full && !of_source(set))) continue;
+            if (reluctance(set) > most || (share_is_full && !of_source(set)) || (node_is_full && !of_node(set)))
+                continue;
             if (best == nullptr || std::pair{reluctance(set), set.order} < std::pair{reluctance(*best), best->order})
                 best = &set;
         }

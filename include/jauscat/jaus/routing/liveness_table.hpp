@@ -4,6 +4,8 @@
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/routing/address_map.hpp>
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -19,11 +21,11 @@ struct presence {
 enum class heard : std::uint8_t {
     known,       ///< was there already
     appeared,    ///< is new
-    no_capacity, ///< is new and not remembered: the table is full
+    no_capacity, ///< is new and not remembered: the table is full, or its subsystem has its share
 };
 
-/// The components that are alive, each until its timeout after its last message. A flood of new addresses fills the
-/// table but displaces no entry. Constant-time lookup.
+/// The components that are alive, each until its timeout after its last message. A flood of new addresses displaces no
+/// entry, and of one subsystem it leaves a quarter of the table to others, see peer_share. Constant-time lookup.
 class liveness_table {
   public:
     /// A place in the caller's memory.
@@ -63,6 +65,7 @@ class liveness_table {
             }
             const address who = places[at].address;
             map_.erase(who); // may move another to this place
+            --of_subsystem_[who.subsystem];
             gone(who);
         }
     }
@@ -79,6 +82,7 @@ class liveness_table {
 
   private:
     address_map<presence> map_;
+    std::array<std::uint32_t, 256> of_subsystem_{}; ///< components alive
     time_point next_check_{time_point::max()};
 };
 

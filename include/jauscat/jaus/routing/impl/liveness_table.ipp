@@ -1,5 +1,6 @@
 // The functions of liveness_table.
 #pragma once
+#include <jauscat/jaus/message/peer_share.hpp>
 #include <jauscat/jaus/routing/liveness_table.hpp>
 
 namespace jauscat::jaus {
@@ -11,7 +12,9 @@ JAUSCAT_CONSTEXPR heard liveness_table::on_heard(const address& who, time_point 
         found->value.gone_at = std::max(found->value.gone_at, gone_at);
         return heard::known;
     }
+    if (of_subsystem_[who.subsystem] >= peer_share(capacity())) return heard::no_capacity;
     if (map_.insert(who, {now, gone_at}) != inserted::ok) return heard::no_capacity;
+    ++of_subsystem_[who.subsystem];
     next_check_ = std::min(next_check_, gone_at);
     return heard::appeared;
 }

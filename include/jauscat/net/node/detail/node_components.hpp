@@ -3,6 +3,7 @@
 
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/jaus/message/peer_share.hpp>
 #include <jauscat/jaus/routing/liveness_table.hpp>
 #include <jauscat/net/config/jaus_node_options.hpp>
 #include <jauscat/net/config/jausip.hpp>
@@ -218,7 +219,7 @@ class node_components {
         if (is_acknowledged(last) && before != receiver.whole.end() && before->digest == digest)
             return true; // its sender has not received the outcome
         if (before != receiver.whole.end()) receiver.whole.erase(before);
-        if (is_acknowledged(last) && receiver.whole.size() == max_complete) return false;
+        if (is_acknowledged(last) && !has_place(receiver, last.source)) return false;
         first.ack_nak = jaus::ack_nak::none;
         first.data_flag = jaus::data_flag::only;
         const auto what = give(receiver, first, complete, now, out);
@@ -227,6 +228,11 @@ class node_components {
             receiver.whole.push_back(
                 {last.source, last.command_code, taken, digest, saturating_add(now, large_data_queue::memory)});
         return true;
+    }
+    [[nodiscard]] static bool has_place(const entry& receiver, const jaus::address& source) {
+        const auto is_its = [&](const whole_set& one) { return jaus::are_of_one_node(one.source, source); };
+        return receiver.whole.size() < max_complete &&
+               std::cmp_less(std::ranges::count_if(receiver.whole, is_its), jaus::peer_share(max_complete));
     }
     [[nodiscard]] static std::vector<whole_set>::iterator find_whole(entry& receiver, const jaus::header& head) {
         return std::ranges::find_if(receiver.whole, [&](const whole_set& one) {
@@ -258,8 +264,11 @@ class node_components {
         const auto what =
             to.on_message(head, body, now, out,
                           receiver.answers ? attached_component::unhandled{rest} : attached_component::unhandled{});
-        if ((what == handled || what == deferred) && peer_watch::binds(head.command_code) && !is_here(head.source))
-            peers_.bind(head.source, to.self, now);
+        if ((what == handled || what == deferred) && peer_watch::binds(head.command_code) && !is_here(head.source) &&
+            !peers_.bind(head.source, to.self, now))
+            log_(now, [&] {
+                return in_text(head) + ": its sender is not watched: too many peers are, of its node or of all";
+            });
         constexpr std::array unremarkable{handled, deferred, acknowledgement, repeated, pending};
         if (std::ranges::find(unremarkable, what) == unremarkable.end())
             log_(now, [&] {

@@ -4,6 +4,7 @@
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/component/command_rules.hpp>
+#include <jauscat/jaus/message/peer_share.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/core.hpp>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -22,7 +24,7 @@ namespace jauscat::net::detail {
 /// node lives. A peer is therefore watched if it requests control, a service connection or events from a local
 /// component, moves or stops one, or confirms its event. After a time without
 /// messages it is sent a Query Heartbeat Pulse (2202h); after the timeout without any message it is lost. The number of
-/// watched peers is bounded.
+/// watched peers is bounded, and that of one node, see jaus::peer_share.
 class peer_watch {
   public:
     static constexpr std::size_t most = 4096;
@@ -40,13 +42,14 @@ class peer_watch {
         default: return jaus::rule_of(command_code) == jaus::command_rule::moving;
         }
     }
-    /// `component` depends on `peer` from now on.
-    void bind(const jaus::address& peer, const jaus::address& component, time_point now) {
-        if (peers_.size() == most && !peers_.contains(peer)) return;
+    /// `component` depends on `peer` from now on. False: no place is left to watch it.
+    [[nodiscard]] bool bind(const jaus::address& peer, const jaus::address& component, time_point now) {
+        if (!peers_.contains(peer) && !has_place(peer)) return false;
         auto& bound = peers_.try_emplace(peer, entry{.component = component}).first->second;
         bound.heard_at = now;
         bound.due = saturating_add(now, silence());
         next_ = std::min(next_, bound.due);
+        return true;
     }
     /// Call for each received message. True if it is the answer to a query of this object.
     bool heard(const jaus::header& head, time_point now) {
@@ -109,6 +112,13 @@ class peer_watch {
         }
     };
 
+    [[nodiscard]] bool has_place(const jaus::address& peer) const {
+        const auto first =
+            peers_.lower_bound({.instance = 0, .component = 0, .node = peer.node, .subsystem = peer.subsystem});
+        const auto last =
+            peers_.upper_bound({.instance = 255, .component = 255, .node = peer.node, .subsystem = peer.subsystem});
+        return peers_.size() < most && std::cmp_less(std::distance(first, last), jaus::peer_share(most));
+    }
     [[nodiscard]] duration silence() const noexcept { return timeout_ / 3; }
     void ask(const jaus::address& who, entry& peer, time_point now, jaus::message_sink out) const {
         const auto silent_at = saturating_add(peer.heard_at, silence());
