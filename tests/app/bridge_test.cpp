@@ -830,6 +830,9 @@ TEST_CASE("what cannot be served is refused at once") {
     CHECK_THROWS_AS((jauscat::component{*b.robot, {.id = 34}}), std::invalid_argument);
     const jauscat::bridge_options too_quick{.at_rest_within = 1ms};
     CHECK_THROWS_AS((jauscat::bridge{*b.robot, *b.bus, translation::seed_table{}, too_quick}), std::invalid_argument);
+    const jauscat::bridge_options endless{.period = jauscat::duration::max()};
+    CHECK_THROWS_WITH((jauscat::bridge{*b.robot, *b.bus, translation::seed_table{}, endless}),
+                      Catch::Contains("the period is at most 1.625 s"));
     asio::io_context elsewhere;
     jauscat::bus far{elsewhere, b.ring.where(), {.log = no_log}};
     CHECK_THROWS_AS((jauscat::bridge{*b.robot, far, translation::seed_table{}}), std::invalid_argument);

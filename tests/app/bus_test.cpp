@@ -615,3 +615,11 @@ TEST_CASE("the errors of a bus have texts") {
     CHECK(bus_category().message(99) == "unknown error");
     CHECK(make_error_code(ethercat::al_status_code::no_outputs).message().starts_with("AL status code 0019h: "));
 }
+
+TEST_CASE("a bus works with timeouts that are never over") {
+    constexpr auto ever = duration::max();
+    bench b{three(), {.timeout = ever, .start_timeout = ever, .check_interval = ever, .frame_timeout = ever}};
+    CHECK(b.start() == error_code{});
+    CHECK_THROWS_WITH(b.bus->slave({.position = 0}).async_operate({.period = ever}, [](error_code) {}),
+                      Catch::Contains("the period is at most 3.25 s"));
+}

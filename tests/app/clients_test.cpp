@@ -18,6 +18,7 @@
 #include <chrono>
 #include <exception>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -217,6 +218,31 @@ TEST_CASE("a subscription of before a restart of the node leaves later ones alon
         before.end();
         for (int i = 0; i != 10; ++i) static_cast<void>(co_await after.async_next());
     });
+}
+
+TEST_CASE("a rate that no message can say is not encodable") {
+    driver_and_operator test;
+    constexpr double none = 0, huge = std::numeric_limits<double>::infinity();
+    for (const double rate : {none, -1.0, 1e-300, 5000.0, huge, std::numeric_limits<double>::quiet_NaN()}) {
+        CAPTURE(rate);
+        error_code connected, requested;
+        int ended = 0;
+        test.unit.async_connect<jaus::report_wrench_effort>(test.arm, {.rate = rate}, [&](error_code why, auto&&) {
+            connected = why;
+            ++ended;
+        });
+        test.unit.async_event<jaus::report_wrench_effort>(
+            test.arm, {.event_type = jaus::event_type::periodic, .requested_periodic_rate = rate},
+            [&](error_code why, auto&&) {
+                requested = why;
+                ++ended;
+            });
+        REQUIRE(test.until([&] { return ended == 2; }));
+        CHECK(connected == jauscat::node_errc::not_encodable);
+        // The nearest step of a small rate is 0, which the provider refuses.
+        const bool is_small = rate >= 0 && rate < 0.001;
+        CHECK(requested == (is_small ? jauscat::node_errc::connection_refused : jauscat::node_errc::not_encodable));
+    }
 }
 
 TEST_CASE("a report is subscribed to once, and again when that has ended") {

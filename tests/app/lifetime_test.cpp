@@ -595,7 +595,12 @@ TEST_CASE("each function of a bus and of its slaves has a defined result in each
          },
          {"none", "none", "none", "none", "none"}},
         {"info",
-         [](bench& b) { return done_by([&] { static_cast<void>(b.arm.info()); }); },
+         [](bench& b) {
+             error_code why;
+             static_cast<void>(b.arm.info(why));
+             CHECK(done_by([&] { static_cast<void>(b.arm.info()); }).starts_with(why ? why.message() : "done"));
+             return why ? why.message() : "done";
+         },
          {not_started, "done", not_started, not_started, "done"}},
         {"choice", [](bench& b) { return std::to_string(*b.arm.choice().position); }, {"0", "0", "0", "0", "0"}},
         {"its end", [](bench& b) { return done_by([&] { b.bus.reset(); }); }, {"done", "done", "done", "done"}},
@@ -628,7 +633,7 @@ TEST_CASE("each function of a bridge has a defined result in each of its states"
     using bench = robot_bench;
     const auto yes_no = [](bool value) { return std::string{value ? "yes" : "no"}; };
     const std::vector<row<bench>> table{
-        // new, its node runs, its node is stopped, has ended, its bus has ended
+        // new, its node runs, its node is stopped, has ended, its bus has ended; all on one bridge, in this order
         {"serve",
          [](bench& b) { return done_by([&] { b.bridge->serve({.component = 34}, b.arm); }); },
          {"done", "the component 2.1.34.1 is served after the start of its node", "done", "bridge: its node has ended",
@@ -665,30 +670,28 @@ TEST_CASE("each function of a bridge has a defined result in each of its states"
          },
          {"done", "the node is running", "done", "none", "the node is running"}},
     };
-    for (const auto& each : table) {
-        const auto in_state = [&](std::string_view state, std::size_t column, const auto& enter) {
-            bench b;
-            b.bridge->serve({.component = 33}, b.arm);
-            enter(b);
-            check(each.function, state, each.call(b), each.results.at(column));
-        };
-        const auto run = [](bench& b) {
-            b.robot->start();
-            REQUIRE(b.until([&] { return b.bridge->is_up(); }));
-        };
-        in_state("new", 0, [](bench&) {});
-        in_state("its node runs", 1, run);
-        in_state("its node is stopped", 2, [&](bench& b) {
-            run(b);
-            b.robot->stop();
-        });
-        in_state("its node has ended", 3, [&](bench& b) {
-            run(b);
-            b.robot.reset();
-        });
-        in_state("its bus has ended", 4, [&](bench& b) {
-            run(b);
-            b.bus.reset();
-        });
-    }
+    const auto in_state = [&](std::string_view state, std::size_t column, const auto& enter) {
+        bench b;
+        b.bridge->serve({.component = 33}, b.arm);
+        enter(b);
+        for (const auto& each : table) check(each.function, state, each.call(b), each.results.at(column));
+    };
+    const auto run = [](bench& b) {
+        b.robot->start();
+        REQUIRE(b.until([&] { return b.bridge->is_up(); }));
+    };
+    in_state("new", 0, [](bench&) {});
+    in_state("its node runs", 1, run);
+    in_state("its node is stopped", 2, [&](bench& b) {
+        run(b);
+        b.robot->stop();
+    });
+    in_state("its node has ended", 3, [&](bench& b) {
+        run(b);
+        b.robot.reset();
+    });
+    in_state("its bus has ended", 4, [&](bench& b) {
+        run(b);
+        b.bus.reset();
+    });
 }

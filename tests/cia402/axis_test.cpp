@@ -708,3 +708,24 @@ TEST_CASE("an axis brakes in its old mode while the drive does not take the new 
     }
     CHECK(r.drive.feedback.velocity == 0);
 }
+
+TEST_CASE("an axis works with times that are never over, and with those that always are") {
+    STATIC_REQUIRE([] {
+        constexpr auto ever = duration::max();
+        rig r{{.step_time = ever, .rest_time = ever, .reset_time = ever}};
+        if (!r.enable(mode::cyclic_synchronous_velocity) || !r.mine.run_at(100)) return false;
+        r.follow(10);
+        r.mine.disable();
+        r.follow(100);
+        return r.mine.state() == axis_state::disabled;
+    }());
+    STATIC_REQUIRE([] {
+        rig r{{.step_time = -1ns, .rest_time = duration::min(), .reset_time = -1ns}};
+        r.mine.set_mode(mode::cyclic_synchronous_velocity);
+        static_cast<void>(r.mine.enable());
+        r.cycle(10);
+        r.mine.disable();
+        r.cycle(10);
+        return r.mine.state() != axis_state::enabled;
+    }());
+}

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 using namespace jauscat;
@@ -163,4 +164,16 @@ TEST_CASE("parameters of a joint are checked") {
     STATIC_REQUIRE(!is_valid(joint_scale{.increments_per_radian = std::numeric_limits<double>::quiet_NaN()}));
     STATIC_REQUIRE(!is_valid(joint_scale{.min_position = 5, .max_position = 5}));
     STATIC_REQUIRE(!is_valid(joint_scale{.max_torque = -1}));
+}
+
+TEST_CASE("a conversion that gives no number is refused before any object is written") {
+    constexpr std::array<joint_scale, joints> unknown{
+        joint_scale{}, joint_scale{.increments_per_radian = std::numeric_limits<double>::quiet_NaN()}};
+    std::array<std::byte, 64> body{};
+    const auto encoded = wire::encode(jaus::basic_set_joint_positions<8>{.joint_position = {1.0, -1.0}}, body);
+    REQUIRE(encoded);
+    int calls = 0;
+    const auto outcome = positions::to_objects(*encoded, unknown, [&](auto...) { ++calls; });
+    CHECK(outcome.error() == translate::errc::out_of_range);
+    CHECK(calls == 0);
 }

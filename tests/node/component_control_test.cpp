@@ -332,3 +332,15 @@ TEST_CASE("after a bad network both sides agree on the controller, if silent con
         REQUIRE((operators[1].state() == jaus::control_state::held) == control.controls(other));
     }
 }
+
+TEST_CASE("control with an interval of renewal below 0 is not renewed, as with 0") {
+    for (const auto renewal : {0ns, -1ns, jauscat::duration::min()}) {
+        sent_messages sent;
+        jaus::held_control held{ocu, self, {.renewal = renewal}};
+        held.ask(100, instant{0s}, sent.sink());
+        const auto confirmed = message({.destination = ocu, .source = self}, jaus::confirm_component_control{});
+        const auto m = jaus::split(confirmed);
+        REQUIRE(held.on_message(m.header, m.body, instant{0s}, sent.sink()) == message_outcome::handled);
+        CHECK_FALSE(held.next_event());
+    }
+}

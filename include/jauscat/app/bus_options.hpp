@@ -66,7 +66,7 @@ struct bus_options {
 
 /// Process data of a slave that the application exchanges itself. 0 stands for the default.
 struct operate_options {
-    /// Of the cycles, more than 0. The process data of a bus have the shortest period of all its users.
+    /// Of the cycles, more than 0, at most 3.25 s. The process data of a bus have the shortest period of all its users.
     duration period{std::chrono::milliseconds{1}};
     /// A slave without outputs for so long leaves OP by itself: 2 periods to 6.5 s. Default: 100 ms or 4 periods.
     duration watchdog{};

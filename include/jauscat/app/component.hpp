@@ -141,7 +141,7 @@ class component {
             token, state_, of, options);
     }
     /// A service connection: the provider sends the report periodically. Errors: connection_refused, no_answer,
-    /// queue_full, not_one_address, not_running.
+    /// not_encodable (the rate), queue_full, not_one_address, not_running.
     template <jaus::coded_message Report, class Token = default_token>
     auto async_connect(const jaus::address& to, const connect_options& options, Token&& token = Token{}) {
         return boost::asio::async_initiate<Token, void(app::error_code, subscription<Report>)>(

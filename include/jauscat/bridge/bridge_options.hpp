@@ -82,16 +82,16 @@ inline constexpr std::chrono::milliseconds at_rest_in_cycles{100};
     constexpr auto second = duration{std::chrono::seconds{1}};
     return {.master = {.state_timeout = second, .mailbox_timeout = std::max<duration>(limit / 2, second / 4)},
             .period = period,
-            .watchdog = limit * 9 / 10, // a slave takes time to notice that it has expired
+            .watchdog = limit / 10 * 9, // a slave takes time to notice that it has expired
             .longest_silence =
-                period == duration{} ? limit * 3 / 5 : std::min<duration>(limit / 2, std::max(second / 20, 2 * period)),
-            .data_limit = limit * 4 / 5,
+                period == duration{} ? limit / 5 * 3 : std::min<duration>(limit / 2, std::max(second / 20, 2 * period)),
+            .data_limit = limit / 5 * 4,
             .rest_limit = limit,
             // The rest of the limit after the loss of a controller, without the cycles in which the slaves are told.
-            .ramp_limit = std::max(limit * 3 / 10 - 2 * period, std::min<duration>(period, limit)),
+            .ramp_limit = std::max(limit / 10 * 3 - 2 * period, std::min<duration>(period, limit)),
             .check_interval = limit / 10,
             .keep_alive = std::min<duration>(limit / 5, second / 10),
-            .control_timeout = limit * 7 / 10};
+            .control_timeout = limit / 10 * 7};
 }
 
 } // namespace jauscat::bridging

@@ -121,7 +121,7 @@ template <class Table> struct object_translator {
 
     /// Calls `sink(axis, object, value)` for each axis and row, with the value in the object's type; returns the axes
     /// for which a limit is used in place of the message's value. Errors, without a call: wrong_size (another number of
-    /// elements than `axes`), truncated, out_of_range.
+    /// elements than `axes`), truncated, out_of_range (also of a conversion that gives NaN).
     [[nodiscard]] static constexpr result<axis_bits, errc>
     to_objects(std::span<const std::byte> body, std::span<const scale_type> axes, auto&& sink) noexcept {
         message_type message{};
@@ -133,6 +133,15 @@ template <class Table> struct object_translator {
         Table::for_rows(
             [&]<class Row>(Row) { fits = fits && wire::member_of<Row::member>(message).size() == axes.size(); });
         if (!fits) return errc::wrong_size;
+        bool are_numbers = true;
+        Table::for_rows([&]<class Row>(Row) {
+            const auto& list = wire::member_of<Row::member>(message);
+            for (std::size_t i = 0; i != axes.size(); ++i) {
+                const double wanted = Row::conversion::limited(Row::conversion::to_object(list[i], axes[i]), axes[i]);
+                are_numbers = are_numbers && wanted == wanted; // NaN is equal to nothing
+            }
+        });
+        if (!are_numbers) return errc::out_of_range;
         axis_bits limited = 0;
         Table::for_rows([&]<class Row>(Row) {
             using conversion = typename Row::conversion;

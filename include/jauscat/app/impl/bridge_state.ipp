@@ -41,11 +41,12 @@ inline bridging::bridge_options timing_of(const bridge_options& options) {
     using std::chrono::milliseconds;
     const auto period = options.period;
     const bool cycles = period > duration{};
+    const duration longest = cycles ? milliseconds{6500} : milliseconds{60'000};
     if (period < duration{}) throw std::invalid_argument{"bridge: the period is negative"};
+    if (period > longest / 4) throw std::invalid_argument{"bridge: the period is at most 1.625 s"};
     const duration usual =
         std::max<duration>(cycles ? bridging::at_rest_in_cycles : bridging::at_rest_by_mailbox, 4 * period);
     const duration limit = options.at_rest_within == duration{} ? usual : options.at_rest_within;
-    const duration longest = cycles ? milliseconds{6500} : milliseconds{60'000};
     if (limit < milliseconds{20} || limit > longest)
         throw std::invalid_argument{"bridge: at_rest_within is 20 ms to 60 s, with process data to 6.5 s"};
     if (limit < 4 * period) throw std::invalid_argument{"bridge: at_rest_within is at least 4 periods"};

@@ -153,11 +153,14 @@ JAUSCAT_DECL void bus_state::note_served_lost(bus_user& user, error_code why) {
 inline bridging::bridge_options timing_of(const operate_options& options) {
     using std::chrono::milliseconds;
     const auto period = options.period;
+    if (period <= duration{}) throw std::invalid_argument{"async_operate: the period is more than 0"};
+    if (period > milliseconds{3250})
+        throw std::invalid_argument{
+            "async_operate: the period is at most 3.25 s: a watchdog of 2 periods is 6.5 s at most"};
     const auto watchdog =
         options.watchdog == duration{} ? std::max<duration>(milliseconds{100}, 4 * period) : options.watchdog;
     const auto timeout =
         options.timeout == duration{} ? std::max<duration>(milliseconds{50}, 2 * period) : options.timeout;
-    if (period <= duration{}) throw std::invalid_argument{"async_operate: the period is more than 0"};
     if (watchdog < 2 * period || watchdog > milliseconds{6500})
         throw std::invalid_argument{"async_operate: the watchdog is 2 periods to 6.5 s"};
     if (timeout < 2 * period) throw std::invalid_argument{"async_operate: the timeout is at least 2 periods"};
@@ -173,7 +176,8 @@ JAUSCAT_DECL operated_slave::operated_slave(bus_state& on, const bus_slave& whic
                                             operation_ptr<> done)
     : bus_{on},
       done_{std::move(done)},
-      due_{deadline{net::now(), on.options().timeout + (sync_of(which, options) ? clock_time : duration{})}.at()},
+      due_{deadline{net::now(), saturating_add(on.options().timeout, sync_of(which, options) ? clock_time : duration{})}
+               .at()},
       timing_{timing_of(options)},
       front_{{.position = which.info.position,
               .identity = {.station = which.info.station},

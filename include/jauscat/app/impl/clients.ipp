@@ -375,7 +375,11 @@ JAUSCAT_DECL void clients::connect(const jaus::address& to, std::uint16_t code, 
             one->place && !one->is_event && known.provider == to && known.request.command_code == code)
             return tell(*made, node_errc::already_asked); // a report's header names no connection
     made->place = connections_.ask(to, code, options.rate, options.presence_vector, now, component_.node().net().out());
-    if (!made->place) return tell(*made, node_errc::queue_full);
+    if (!made->place) {
+        const bool is_full = std::ranges::find(connections_.connections(), jaus::consumed_state::free,
+                                               &jaus::consumed_connection::state) == connections_.connections().end();
+        return tell(*made, is_full ? node_errc::queue_full : node_errc::not_encodable);
+    }
     subscriptions_.push_back(std::move(made));
 }
 
@@ -385,7 +389,11 @@ JAUSCAT_DECL void clients::request_event(const jaus::address& of, bytes request,
     if (!wire::decode(wanted, request)) return tell(*made, node_errc::not_encodable);
     if (!jaus::names_one_component(of)) return tell(*made, node_errc::not_one_address);
     made->place = events_.create(of, wanted, net::now(), component_.node().net().out());
-    if (!made->place) return tell(*made, node_errc::queue_full);
+    if (!made->place) {
+        const bool is_full = std::ranges::find(events_.requested(), jaus::requested_state::free,
+                                               &jaus::requested_event::state) == events_.requested().end();
+        return tell(*made, is_full ? node_errc::queue_full : node_errc::not_encodable);
+    }
     subscriptions_.push_back(std::move(made));
 }
 

@@ -880,6 +880,13 @@ JAUSCAT_FUNCTION void ring::lose(place& at, loss what, const ethercat::master_er
     at.front->set_data({});
     clocks_.lost(at.front->station());
     at.front->watcher().slave_lost(*at.front, what, why);
+    // What it carries would be requested again, and reach a slave that returns. Its sender learns that it is refused
+    // before it learns that it has no control.
+    if (is_carried(at)) {
+        auto& lane = *lane_of(at);
+        lane.cancel();
+        if (lane.advance()) end_message(lane, now, out);
+    }
     for (std::size_t i = 0; i != at.front->components().size(); ++i) {
         component& unit = *at.front->components()[i];
         unit.front().orders().remove_if(
@@ -887,8 +894,6 @@ JAUSCAT_FUNCTION void ring::lose(place& at, loss what, const ethercat::master_er
             [&](const order& each) { unit.on_not_executed(each.header, {.why = refusal::slave_down}, now, out); });
         if (were_up[i]) unit.on_slave_lost(now, out);
     }
-    // A pending message would be requested again, and reach a slave that returns.
-    if (is_carried(at)) lane_of(at)->cancel();
     rebuild_process_data(now);
 }
 

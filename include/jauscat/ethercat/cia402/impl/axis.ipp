@@ -270,7 +270,8 @@ JAUSCAT_CONSTEXPR std::uint16_t axis::next_control(time_point now) noexcept {
     switch (goal_) {
     case goal::on:
         // Also where each step comes in time, and the drive goes back again.
-        return control_towards_on(is_late || (!was_enabled_ && now - goal_since_ >= steps_to_on * options_.step_time));
+        return control_towards_on(is_late ||
+                                  (!was_enabled_ && (now - goal_since_) / steps_to_on >= options_.step_time));
     case goal::off: return control_towards_off(now, is_late);
     case goal::quick_stop:
         if (is_stop_late && (!seen_ || *seen_ == ds::operation_enabled)) {
@@ -340,12 +341,12 @@ JAUSCAT_CONSTEXPR std::uint16_t axis::control_towards_off(time_point now, bool i
     }
     switch (*seen_) {
     case ds::operation_enabled:
-        if (now - goal_since_ >= options_.rest_time + options_.step_time) fail(axis_errc::step_timeout);
+        if (now - goal_since_ >= saturating_add(options_.rest_time, options_.step_time)) fail(axis_errc::step_timeout);
         if (is_resting()) return control_of(command::switch_on); // disable operation
         return control_of(has_ramp_time(now) ? command::enable_operation : command::quick_stop);
     case ds::switched_on: break;
     case ds::quick_stop_active:
-        if (now - goal_since_ >= options_.rest_time + options_.step_time && !is_at_standstill())
+        if (now - goal_since_ >= saturating_add(options_.rest_time, options_.step_time) && !is_at_standstill())
             fail(axis_errc::step_timeout); // it is told, and brakes on
         return control_of(is_at_standstill() ? command::disable_voltage : command::quick_stop);
     default: return control_of(command::disable_voltage);

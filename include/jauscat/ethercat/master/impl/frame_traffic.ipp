@@ -23,7 +23,7 @@ JAUSCAT_FUNCTION replies frame_traffic::take(std::span<const std::byte> frame, b
     if (datagrams.empty() || (!is_first && datagrams.front().working_counter == 0)) return {};
     ++statistics_.received;
     if (datagrams.front().header.circulating) ++statistics_.circulated;
-    if (config_.frames_may_be_copied) unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
+    if (config_.frames_may_be_copied) unsettled_until_ = saturating_add(outstanding_.sent_at(), config_.frame_lifetime);
     losses_ = 0;
     repeats_ = false;
     return datagrams;
@@ -53,12 +53,12 @@ JAUSCAT_FUNCTION bool frame_traffic::lose(bool repeats) noexcept {
 
 JAUSCAT_FUNCTION void frame_traffic::give_up() noexcept {
     if (!outstanding_.waits()) return;
-    unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
+    unsettled_until_ = saturating_add(outstanding_.sent_at(), config_.frame_lifetime);
     outstanding_.forget();
 }
 
 JAUSCAT_FUNCTION time_point frame_traffic::next_event() const noexcept {
-    return outstanding_.waits() ? outstanding_.sent_at() + config_.frame_timeout : next_send();
+    return outstanding_.waits() ? saturating_add(outstanding_.sent_at(), config_.frame_timeout) : next_send();
 }
 
 JAUSCAT_FUNCTION time_point frame_traffic::next_send() const noexcept {

@@ -65,7 +65,7 @@ JAUSCAT_FUNCTION bool master::take(std::span<const std::byte> frame, time_point 
     const auto& config = frames_.config();
     progress next{};
     with_machine([&](auto& machine) { next = machine.reply(datagrams, now, config); });
-    if (next == progress::wait) frames_.wait_until(now + config.poll_interval);
+    if (next == progress::wait) frames_.wait_until(saturating_add(now, config.poll_interval));
     if (next == progress::done) with_machine([&](auto& machine) { finish(machine.complete(ring_)); });
     return true;
 }

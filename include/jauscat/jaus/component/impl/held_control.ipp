@@ -65,7 +65,7 @@ JAUSCAT_CONSTEXPR void held_control::on_time(time_point now, message_sink out) n
 JAUSCAT_CONSTEXPR std::optional<time_point> held_control::next_event() const noexcept {
     if (state_ == control_state::asking || (state_ == control_state::held && asked_ != 0))
         return saturating_add(at_, options_.retry.interval);
-    if (state_ == control_state::held && options_.renewal != options_.renewal.zero())
+    if (state_ == control_state::held && options_.renewal > options_.renewal.zero())
         return saturating_add(at_, options_.renewal);
     return std::nullopt;
 }

@@ -71,7 +71,7 @@ class node_components {
             all_[i].large = std::make_unique<large_data_memory>(
                 options_.large_data_sets, first_is_manager && i == 0 ? of_manager : (memory - of_manager) / others,
                 options_.large_data_timeout,
-                jaus::reassembly_limits{.linger_of_copies = options_.large_data_pause * 3 / 4,
+                jaus::reassembly_limits{.linger_of_copies = options_.large_data_pause / 4 * 3,
                                         .linger_of_repeats = large_data_queue::memory,
                                         .longest_gap = longest_gap()});
         stale_at_ = time_point::max();
