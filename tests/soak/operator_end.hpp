@@ -100,7 +100,10 @@ class operator_end : public end {
         std::function<bool()> so;
     };
 
-    void stopped() override { timer_.cancel(); }
+    void stopped() override {
+        has_stopped_ = true; // the handler of a timer that has expired comes without an error
+        timer_.cancel();
+    }
 
     void tick() {
         const auto now = net::jaus_node::now();
@@ -112,7 +115,7 @@ class operator_end : public end {
         play(now);
         timer_.expires_at(net::to_steady(due_));
         timer_.async_wait([this](boost::system::error_code error) {
-            if (!error) tick();
+            if (!error && !has_stopped_) tick();
         });
     }
     void command(jauscat::time_point now) {
@@ -208,7 +211,7 @@ class operator_end : public end {
          [this] { return operator_.released == jaus::delivered::acknowledged; }},
     };
     std::size_t next_{};
-    bool waits_{}, finishing_{};
+    bool waits_{}, finishing_{}, has_stopped_{};
     jauscat::time_point started_{}, due_{}, step_at_{}, hijack_until_{};
     unsigned left_{};
     std::vector<std::string> failures_{};

@@ -59,6 +59,7 @@ class node_state {
     std::optional<boost::asio::signal_set> signals_{}; ///< while `run` works
     bool is_stopping_{};
     bool is_stopped_{};
+    std::shared_ptr<char> alive_{std::make_shared<char>()}; ///< a handler may be queued at the end
     std::vector<std::shared_ptr<component_state>> components_{};
     std::vector<node_part> parts_{};
     net::jaus_node net_;

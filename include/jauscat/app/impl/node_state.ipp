@@ -168,9 +168,10 @@ JAUSCAT_DECL int node_state::run() {
     try {
         auto& context = context_->get();
         if (context.stopped()) context.restart(); // one of the program may have run out of work before
-        signals_.emplace(context, SIGINT, SIGTERM).async_wait([this](boost::system::error_code error, int) {
-            if (!error) stop();
-        });
+        signals_.emplace(context, SIGINT, SIGTERM)
+            .async_wait([this, token = std::weak_ptr{alive_}](boost::system::error_code error, int) {
+                if (!error && !token.expired()) stop(); // a signal that came at the end is handled after it
+            });
         start();
         log("JAUS on " + net::detail::text(net_.config().me().endpoint()) + names() + " (Ctrl-C ends)");
         if (own_context_)
