@@ -479,6 +479,22 @@ TEST_CASE("an operation that another thread starts while the node ends, or after
     CHECK_THROWS_WITH(late.get(), Catch::Contains(std::string{not_running}));
 }
 
+TEST_CASE("a handler of what run has aborted may stop the node again, or its io_context") {
+    const bool stops_context = GENERATE(false, true);
+    two_nodes test;
+    jauscat::node mine{test.options("operator")};
+    jauscat::component unit{mine, {.id = 32}};
+    int aborted_ones = 0;
+    for (int i = 0; i != 2; ++i)
+        unit.async_send({1, 33, 1, 2}, some_effort(), [&](error_code error) {
+            aborted_ones += error == boost::asio::error::operation_aborted;
+            stops_context ? mine.context().stop() : mine.stop();
+        });
+    boost::asio::post(mine.context(), [&] { boost::asio::post(mine.context(), [&] { mine.stop(); }); });
+    CHECK(mine.run() == 0);
+    CHECK(aborted_ones == (stops_context ? 1 : 2));
+}
+
 TEST_CASE("the handlers of what run has aborted are called before it returns") {
     two_nodes test;
     jauscat::node mine{test.options("operator")};

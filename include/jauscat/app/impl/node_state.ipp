@@ -125,12 +125,12 @@ JAUSCAT_DECL void node_state::stop() {
         explicit stopping(bool& f) : flag{f} { flag = true; }
         ~stopping() { flag = false; }
     } const now{is_stopping_};
-    is_stopped_ = true;
+    const bool was_stopped = std::exchange(is_stopped_, true);
     for (const auto& one : components_) one->stop();
     for (const auto& one : parts_) one.stop();
     net_.stop();
-    signals_.reset(); // they keep a context at work
-    if (own_context_) own_context_->stop();
+    signals_.reset();                                       // they keep a context at work
+    if (own_context_ && !was_stopped) own_context_->stop(); // not by a handler that `finish` calls
     context_->close();
 }
 
@@ -139,7 +139,7 @@ JAUSCAT_DECL void node_state::finish() {
     own_context_->restart();
     bool is_last = false;
     boost::asio::post(*own_context_, [&] { is_last = true; });
-    while (!is_last) own_context_->run_one();
+    while (!is_last && own_context_->run_one() != 0) {} // a handler may stop the context itself
 }
 
 JAUSCAT_DECL void node_state::release() noexcept {
