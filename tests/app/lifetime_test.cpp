@@ -9,6 +9,7 @@
 #include <boost/asio/use_future.hpp>
 
 #include <chrono>
+#include <csignal>
 #include <functional>
 #include <future>
 #include <memory>
@@ -493,6 +494,27 @@ TEST_CASE("a handler of what run has aborted may stop the node again, or its io_
     boost::asio::post(mine.context(), [&] { boost::asio::post(mine.context(), [&] { mine.stop(); }); });
     CHECK(mine.run() == 0);
     CHECK(aborted_ones == (stops_context ? 1 : 2));
+}
+
+TEST_CASE("run goes on where a handler has stopped the node, and a posted function starts it again") {
+    two_nodes test;
+    jauscat::node mine{test.options("operator")};
+    jauscat::component unit{mine, {.id = 32}};
+    int starts = 0, readies = 0;
+    unit.when_ready([&] { ++readies; });
+    unit.ready();
+    boost::asio::post(mine.context(), [&] {
+        mine.stop();
+        boost::asio::post(mine.context(), [&] {
+            mine.start();
+            ++starts;
+            boost::asio::post(mine.context(), [&] { std::raise(SIGTERM); });
+        });
+    });
+    CHECK(mine.run() == 0);
+    CHECK(starts == 1);
+    CHECK(readies == 2);
+    CHECK(unit.state() == jaus::primary_status_code::initialize);
 }
 
 TEST_CASE("the handlers of what run has aborted are called before it returns") {

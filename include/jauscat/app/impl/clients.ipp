@@ -366,6 +366,12 @@ JAUSCAT_DECL void clients::note_streams() {
     }
 }
 
+/// Why a consumer takes no request: all its places are in use, or the message cannot be made.
+inline node_errc refusal_of(const auto& places) {
+    const auto is_free = [](const auto& one) { return one.state == decltype(one.state)::free; };
+    return std::ranges::any_of(places, is_free) ? node_errc::not_encodable : node_errc::queue_full;
+}
+
 JAUSCAT_DECL void clients::connect(const jaus::address& to, std::uint16_t code, const connect_options& options,
                                    std::shared_ptr<subscription_state> made) {
     const auto now = net::now();
@@ -375,11 +381,7 @@ JAUSCAT_DECL void clients::connect(const jaus::address& to, std::uint16_t code, 
             one->place && !one->is_event && known.provider == to && known.request.command_code == code)
             return tell(*made, node_errc::already_asked); // a report's header names no connection
     made->place = connections_.ask(to, code, options.rate, options.presence_vector, now, component_.node().net().out());
-    if (!made->place) {
-        const bool is_full = std::ranges::find(connections_.connections(), jaus::consumed_state::free,
-                                               &jaus::consumed_connection::state) == connections_.connections().end();
-        return tell(*made, is_full ? node_errc::queue_full : node_errc::not_encodable);
-    }
+    if (!made->place) return tell(*made, refusal_of(connections_.connections()));
     subscriptions_.push_back(std::move(made));
 }
 
@@ -389,11 +391,7 @@ JAUSCAT_DECL void clients::request_event(const jaus::address& of, bytes request,
     if (!wire::decode(wanted, request)) return tell(*made, node_errc::not_encodable);
     if (!jaus::names_one_component(of)) return tell(*made, node_errc::not_one_address);
     made->place = events_.create(of, wanted, net::now(), component_.node().net().out());
-    if (!made->place) {
-        const bool is_full = std::ranges::find(events_.requested(), jaus::requested_state::free,
-                                               &jaus::requested_event::state) == events_.requested().end();
-        return tell(*made, is_full ? node_errc::queue_full : node_errc::not_encodable);
-    }
+    if (!made->place) return tell(*made, refusal_of(events_.requested()));
     subscriptions_.push_back(std::move(made));
 }
 
@@ -482,10 +480,10 @@ JAUSCAT_DECL void clients::release(control_state& released, const operation_ptr<
 
 // What the typed functions call, from any thread: the rest happens on the thread of the io_context.
 
-/// `begin(component, clients)` starts the operation `done` at a running component.
+/// `begin(clients&)` starts the operation `done` at a running component.
 template <class... Results>
 void enqueue(const std::shared_ptr<component_state>& component, const operation_ptr<Results...>& done,
-             std::function<void(const std::shared_ptr<component_state>&, clients&)> begin) {
+             std::function<void(clients&)> begin) {
     component->context()->post([component, done, begin = std::move(begin)](bool is_over) {
         if (is_over) return done->complete(node_errc::not_running, Results{}...);
         if (component->is_closed()) return done->complete(boost::asio::error::operation_aborted, Results{}...);
@@ -497,7 +495,7 @@ void enqueue(const std::shared_ptr<component_state>& component, const operation_
             still->others().end_cancelled();
             still->node().wake();
         };
-        begin(component, component->others());
+        begin(component->others());
         component->node().wake();
     });
 }
@@ -535,7 +533,7 @@ JAUSCAT_DECL std::uint64_t dropped_of(const subscription_state& of) noexcept { r
 
 JAUSCAT_DECL void begin_send(const std::shared_ptr<component_state>& from, const jaus::address& to, std::uint16_t code,
                              std::vector<std::byte> body, const operation_ptr<>& done) {
-    enqueue(from, done, [head = from->head_of(code, to), body = std::move(body), done](const auto&, clients& all) {
+    enqueue(from, done, [head = from->head_of(code, to), body = std::move(body), done](clients& all) {
         all.send(head, body, done);
     });
 }
@@ -543,7 +541,7 @@ JAUSCAT_DECL void begin_ask(const std::shared_ptr<component_state>& from, const 
                             std::vector<std::byte> body, const ask_options& options, const operation_ptr<bytes>& done) {
     if (codes.report == 0) codes.report = jaus::report_code_of(codes.query);
     if (codes.report == 0) return done->complete(node_errc::not_a_query, {});
-    enqueue(from, done, [of, codes, body = std::move(body), options, done](const auto&, clients& all) mutable {
+    enqueue(from, done, [of, codes, body = std::move(body), options, done](clients& all) mutable {
         all.ask(of, codes, std::move(body), options, done);
     });
 }
@@ -558,7 +556,7 @@ new_subscription(const std::shared_ptr<component_state>& by,
 JAUSCAT_DECL void begin_connect(const std::shared_ptr<component_state>& from, const jaus::address& of,
                                 std::uint16_t code, const connect_options& options,
                                 const operation_ptr<std::shared_ptr<subscription_state>>& done) {
-    enqueue(from, done, [of, code, options, done](const auto& from, clients& all) {
+    enqueue(from, done, [from, of, code, options, done](clients& all) {
         auto made = new_subscription(from, done);
         made->max_waiting = options.max_waiting;
         all.connect(of, code, options, std::move(made));
@@ -567,7 +565,7 @@ JAUSCAT_DECL void begin_connect(const std::shared_ptr<component_state>& from, co
 JAUSCAT_DECL void begin_event(const std::shared_ptr<component_state>& from, const jaus::address& of,
                               std::vector<std::byte> request, std::size_t max_waiting,
                               const operation_ptr<std::shared_ptr<subscription_state>>& done) {
-    enqueue(from, done, [of, request = std::move(request), max_waiting, done](const auto& from, clients& all) {
+    enqueue(from, done, [from, of, request = std::move(request), max_waiting, done](clients& all) {
         auto made = new_subscription(from, done);
         made->is_event = true;
         made->max_waiting = max_waiting;
@@ -603,7 +601,7 @@ JAUSCAT_DECL void end(const std::shared_ptr<subscription_state>& of) noexcept {
 JAUSCAT_DECL void begin_control(const std::shared_ptr<component_state>& from, const jaus::address& of,
                                 const control_options& options,
                                 const operation_ptr<std::shared_ptr<control_state>>& done) {
-    enqueue(from, done, [of, options, done](const auto& from, clients& all) {
+    enqueue(from, done, [from, of, options, done](clients& all) {
         auto made = std::make_shared<control_state>(control_state{.component = from, .context = from->context()});
         made->of = of;
         made->asked = done;
@@ -615,17 +613,16 @@ JAUSCAT_DECL void begin_send(const std::shared_ptr<control_state>& by, std::uint
     if (by == nullptr) return done->complete(node_errc::control_lost);
     const auto from = by->component.lock();
     if (from == nullptr) return done->complete(boost::asio::error::operation_aborted);
-    enqueue(from, done,
-            [by, head = from->head_of(code, by->of), body = std::move(body), done](const auto&, clients& all) {
-                if (by->state != jaus::control_state::held) return done->complete(node_errc::control_lost);
-                all.send(head, body, done, by);
-            });
+    enqueue(from, done, [by, head = from->head_of(code, by->of), body = std::move(body), done](clients& all) {
+        if (by->state != jaus::control_state::held) return done->complete(node_errc::control_lost);
+        all.send(head, body, done, by);
+    });
 }
 JAUSCAT_DECL void begin_release(const std::shared_ptr<control_state>& of, const operation_ptr<>& done) {
     if (of == nullptr) return done->complete(node_errc::control_lost);
     const auto from = of->component.lock();
     if (from == nullptr) return done->complete(boost::asio::error::operation_aborted);
-    enqueue(from, done, [of, done](const auto&, clients& all) {
+    enqueue(from, done, [of, done](clients& all) {
         if (of->state != jaus::control_state::held) return done->complete(node_errc::control_lost);
         all.release(*of, done);
         for (const auto& one : std::exchange(of->when_lost, {})) one->complete(boost::asio::error::operation_aborted);

@@ -46,7 +46,8 @@ class node_state {
 
   private:
     net::jaus_node_options net_options();
-    /// Calls the handlers of what `stop` has aborted.
+    void await_signals();
+    /// In a context of its own: calls the handlers of what `stop` has aborted.
     void finish();
     /// Throws `std::logic_error` where the node runs, or may be in a call of one of its functions.
     void require_stopped() const;

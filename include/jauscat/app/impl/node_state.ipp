@@ -128,14 +128,20 @@ JAUSCAT_DECL void node_state::stop() {
     const bool was_stopped = std::exchange(is_stopped_, true);
     for (const auto& one : components_) one->stop();
     for (const auto& one : parts_) one.stop();
+    context_->close(); // before what may throw
     net_.stop();
     signals_.reset();                                       // they keep a context at work
     if (own_context_ && !was_stopped) own_context_->stop(); // not by a handler that `finish` calls
-    context_->close();
+}
+
+JAUSCAT_DECL void node_state::await_signals() {
+    signals_.emplace(context_->get(), SIGINT, SIGTERM)
+        .async_wait([this, token = std::weak_ptr{alive_}](boost::system::error_code error, int) {
+            if (!error && !token.expired()) stop(); // a signal that came at the end is handled after it
+        });
 }
 
 JAUSCAT_DECL void node_state::finish() {
-    if (!own_context_) return; // the program goes on with its own
     own_context_->restart();
     bool is_last = false;
     boost::asio::post(*own_context_, [&] { is_last = true; });
@@ -168,18 +174,20 @@ JAUSCAT_DECL int node_state::run() {
     try {
         auto& context = context_->get();
         if (context.stopped()) context.restart(); // one of the program may have run out of work before
-        signals_.emplace(context, SIGINT, SIGTERM)
-            .async_wait([this, token = std::weak_ptr{alive_}](boost::system::error_code error, int) {
-                if (!error && !token.expired()) stop(); // a signal that came at the end is handled after it
-            });
+        await_signals();
         start();
         log("JAUS on " + net::detail::text(net_.config().me().endpoint()) + names() + " (Ctrl-C ends)");
-        if (own_context_)
-            context.run();
-        else
+        if (!own_context_) {
             while (!is_stopped_ && context.run_one() != 0) {} // the program may have other work in it
-        stop();
-        finish();
+            stop();
+            return EXIT_SUCCESS;
+        }
+        for (;; await_signals()) {
+            context.run();
+            stop();
+            finish();
+            if (!net_.running()) break; // a handler may have started it again
+        }
         return EXIT_SUCCESS;
     } catch (const std::exception& e) {
         stop();

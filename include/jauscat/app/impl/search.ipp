@@ -161,7 +161,7 @@ class search : public std::enable_shared_from_this<search> {
 
 JAUSCAT_DECL void begin_find(const std::shared_ptr<component_state>& by, const find_options& options,
                              const operation_ptr<std::vector<found_component>>& done) {
-    enqueue(by, done, [options, name = std::string{options.name}, done](const auto& by, clients& all) {
+    enqueue(by, done, [by, options, name = std::string{options.name}, done](clients& all) {
         std::vector<jaus::address> managers{by->node().net().manager()};
         if (const auto* const present = by->node().net().present(); present != nullptr)
             present->for_each([&](const jaus::address& who) {
