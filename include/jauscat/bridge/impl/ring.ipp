@@ -1037,8 +1037,10 @@ JAUSCAT_FUNCTION void ring::use_process_data(time_point now, jaus::message_sink 
         for (component* unit : each.front->components()) {
             auto* const process = unit->process();
             if (process == nullptr || process->fronts().front() != each.front || !process->has_begun()) continue;
-            put_stop(*unit, *process, now, out); // a command that came before is not in these outputs
-            if (steps) unit->on_step(process->step(now), now, out);
+            if (steps) {
+                put_stop(*unit, *process, now, out); // a command that came before is not in these outputs
+                unit->on_step(process->step(now), now, out);
+            }
             take_confirmations(*unit, *process, now, out);
             put_stop(*unit, *process, now, out);
             if (process->is_started()) put_orders(*unit, *process, now, out);
