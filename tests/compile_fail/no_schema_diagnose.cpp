@@ -1,4 +1,5 @@
-// expect: the type has no schema: specialise jauscat::wire::schema for it, with its layout as type
+// expect: the type has no schema: give it a struct schema with its layout as type, or specialise jauscat::wire::schema
+// for it
 #include "small_message.hpp"
 
 const std::array<std::byte, 8> in{};

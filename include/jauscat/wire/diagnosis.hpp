@@ -34,6 +34,8 @@ struct diagnosis {
     [[nodiscard]] constexpr diagnosis_step parent() const noexcept {
         return depth == 0 ? diagnosis_step{} : path[depth - 1];
     }
+
+    friend constexpr bool operator==(const diagnosis&, const diagnosis&) = default;
 };
 
 } // namespace jauscat::wire

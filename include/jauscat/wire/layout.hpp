@@ -13,8 +13,13 @@
 
 namespace jauscat::wire {
 
-/// Specialise for a message: `template <> struct schema<T> { using type = layout<...>; };`
+/// The schema of a message: its layout as `type`, and what else belongs to it, such as its command code. It stands in
+/// the message, as `struct schema { using type = layout<...>; };`. For a type that cannot have it: `template <> struct
+/// wire::schema<T> { using type = layout<...>; };`.
 template <class T> struct schema;
+template <class T>
+requires requires { typename T::schema::type; }
+struct schema<T> : T::schema {};
 
 /// Name of an item: its own, or that of its first member.
 template <class Item> consteval std::string_view item_label() {
@@ -205,9 +210,8 @@ template <class T, auto... Members> consteval bool owned_by(key_list<Members...>
 
 /// The layout of `T`, after the checks that need both the struct and its schema.
 template <class T> struct checked_schema {
-    static_assert(
-        requires { typename schema<T>::type; },
-        "the type has no schema: specialise jauscat::wire::schema for it, with its layout as type");
+    static_assert(requires { typename schema<T>::type; }, "the type has no schema: give it a struct schema with its "
+                                                          "layout as type, or specialise jauscat::wire::schema for it");
     using type = typename schema<T>::type;
     using keys = typename type::keys;
     static_assert(std::is_aggregate_v<T>, "layout: a message must be a plain aggregate");

@@ -10,8 +10,8 @@ namespace detail {
 /// A type without a schema.
 template <class T> concept unknown_type = !message<T>;
 template <class T> consteval errc refuse_unknown_type() {
-    static_assert(message<T>,
-                  "the type has no schema: specialise jauscat::wire::schema for it, with its layout as type");
+    static_assert(message<T>, "the type has no schema: give it a struct schema with its layout as type, or specialise "
+                              "jauscat::wire::schema for it");
     return errc::out_of_range;
 }
 } // namespace detail

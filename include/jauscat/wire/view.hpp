@@ -17,8 +17,8 @@ namespace jauscat::wire {
 ///
 /// `Outer` is the scope around a structure that looks beyond its own bytes: a detail of views out of lists.
 template <class T, class Outer = plain_root> class view {
-    static_assert(message<T>,
-                  "the type has no schema: specialise jauscat::wire::schema for it, with its layout as type");
+    static_assert(message<T>, "the type has no schema: give it a struct schema with its layout as type, or specialise "
+                              "jauscat::wire::schema for it");
 
   public:
     /// Checks the bytes, once; they must outlive the view.

@@ -12,7 +12,7 @@
 namespace jauscat::jaus {
 
 /// When a component was heard of.
-struct presence {
+struct sign_of_life {
     time_point last_heard_at{};
     time_point gone_at{}; ///< when it is lost unless it is heard again; max: never
 };
@@ -29,7 +29,7 @@ enum class heard : std::uint8_t {
 class liveness_table {
   public:
     /// A place in the caller's memory.
-    using place = address_place<presence>;
+    using place = address_place<sign_of_life>;
 
     /// `places` must outlive this; three quarters of a power of two of them can be used.
     constexpr explicit liveness_table(std::span<place> places) noexcept : map_{places} {}
@@ -71,7 +71,7 @@ class liveness_table {
     }
 
     /// When the last message of `who` arrived, or nullptr.
-    [[nodiscard]] JAUSCAT_CONSTEXPR const presence* find(const address& who) const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR const sign_of_life* find(const address& who) const noexcept;
     /// `use(const address&)` for everyone, in no order.
     constexpr void for_each(auto&& use) const {
         for (const place& one : map_.places())
@@ -81,7 +81,7 @@ class liveness_table {
     [[nodiscard]] constexpr std::size_t capacity() const noexcept { return map_.capacity(); }
 
   private:
-    address_map<presence> map_;
+    address_map<sign_of_life> map_;
     std::array<std::uint32_t, 256> of_subsystem_{}; ///< components alive
     time_point next_check_{time_point::max()};
 };

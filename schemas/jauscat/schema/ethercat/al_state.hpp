@@ -6,7 +6,11 @@
 
 #include <cstdint>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::ethercat {
+
+using namespace wire::items;
 
 /// State of the application layer, in AL control and AL status.
 enum class al_state : std::uint8_t { init = 1, pre_op = 2, boot = 3, safe_op = 4, op = 8 };
@@ -89,6 +93,12 @@ struct al_control {
     al_state state{};         ///< the requested state
     bool acknowledge{};       ///< clears an error indication
     bool request_device_id{}; ///< requests the slave's identification in the AL status code
+
+    struct schema {
+        using T = al_control;
+        using type = layout<bit_fields<u16le, bit_field<&T::state, 4>, bit_field<&T::acknowledge, 1>,
+                                       bit_field<&T::request_device_id, 1>, reserved<10>>>;
+    };
 };
 
 /// AL status (0x0130) up to AL status code (0x0134), 6 bytes: one datagram reads both.
@@ -98,23 +108,13 @@ struct al_status {
     bool device_id_loaded{}; ///< the AL status code is the slave's identification
     std::uint16_t gap{};     ///< reserved
     al_status_code code{};
+
+    struct schema {
+        using T = al_status;
+        using type = layout<bit_fields<u16le, bit_field<&T::state, 4>, bit_field<&T::error, 1>,
+                                       bit_field<&T::device_id_loaded, 1>, reserved<10>>,
+                            field<&T::gap, u16le>, field<&T::code, enumeration<al_status_code, u16le>>>;
+    };
 };
 
 } // namespace jauscat::ethercat
-
-namespace jauscat {
-
-template <> struct wire::schema<ethercat::al_control> {
-    using T = ethercat::al_control;
-    using type = layout<bit_fields<u16le, bit_field<&T::state, 4>, bit_field<&T::acknowledge, 1>,
-                                   bit_field<&T::request_device_id, 1>, reserved<10>>>;
-};
-
-template <> struct wire::schema<ethercat::al_status> {
-    using T = ethercat::al_status;
-    using type = layout<bit_fields<u16le, bit_field<&T::state, 4>, bit_field<&T::error, 1>,
-                                   bit_field<&T::device_id_loaded, 1>, reserved<10>>,
-                        field<&T::gap, u16le>, field<&T::code, enumeration<ethercat::al_status_code, u16le>>>;
-};
-
-} // namespace jauscat

@@ -11,7 +11,11 @@
 #include <optional>
 #include <string_view>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::cia402 {
+
+using namespace wire::items;
 
 /// Modes of operation (6060h, 6061h). Negative values are the manufacturer's.
 enum class mode : std::int8_t {
@@ -55,6 +59,23 @@ struct controlword {
     bool mode_9{};
     std::uint8_t manufacturer{}; ///< 5 bits
     friend constexpr bool operator==(const controlword&, const controlword&) = default;
+
+    struct schema {
+        using T = controlword;
+        using type = layout<bit_fields<u16le,
+            bit_field<&T::switch_on, 1>,
+            bit_field<&T::enable_voltage, 1>,
+            bit_field<&T::quick_stop, 1>,
+            bit_field<&T::enable_operation, 1>,
+            bit_field<&T::mode_4, 1>,
+            bit_field<&T::mode_5, 1>,
+            bit_field<&T::mode_6, 1>,
+            bit_field<&T::fault_reset, 1>,
+            bit_field<&T::halt, 1>,
+            bit_field<&T::mode_9, 1>,
+            reserved<1>,
+            bit_field<&T::manufacturer, 5>>>;
+    };
 };
 
 /// Statusword (6041h), 2 bytes. `mode_12` and `mode_13` depend on the mode of operation: see status_bits.
@@ -75,6 +96,26 @@ struct statusword {
     bool mode_13{};
     std::uint8_t manufacturer{}; ///< bits 14 and 15
     friend constexpr bool operator==(const statusword&, const statusword&) = default;
+
+    struct schema {
+        using T = statusword;
+        using type = layout<bit_fields<u16le,
+            bit_field<&T::ready_to_switch_on, 1>,
+            bit_field<&T::switched_on, 1>,
+            bit_field<&T::operation_enabled, 1>,
+            bit_field<&T::fault, 1>,
+            bit_field<&T::voltage_enabled, 1>,
+            bit_field<&T::quick_stop, 1>,
+            bit_field<&T::switch_on_disabled, 1>,
+            bit_field<&T::warning, 1>,
+            bit_field<&T::manufacturer_8, 1>,
+            bit_field<&T::remote, 1>,
+            bit_field<&T::target_reached, 1>,
+            bit_field<&T::internal_limit, 1>,
+            bit_field<&T::mode_12, 1>,
+            bit_field<&T::mode_13, 1>,
+            bit_field<&T::manufacturer, 2>>>;
+    };
 };
 
 /// Bits of the controlword.
@@ -249,45 +290,6 @@ inline constexpr std::uint16_t following_error = 0x8611;
 } // namespace jauscat::cia402
 
 namespace jauscat {
-
-// clang-format off
-template <> struct wire::schema<cia402::controlword> {
-    using T = cia402::controlword;
-    using type = layout<bit_fields<u16le,
-        bit_field<&T::switch_on, 1>,
-        bit_field<&T::enable_voltage, 1>,
-        bit_field<&T::quick_stop, 1>,
-        bit_field<&T::enable_operation, 1>,
-        bit_field<&T::mode_4, 1>,
-        bit_field<&T::mode_5, 1>,
-        bit_field<&T::mode_6, 1>,
-        bit_field<&T::fault_reset, 1>,
-        bit_field<&T::halt, 1>,
-        bit_field<&T::mode_9, 1>,
-        reserved<1>,
-        bit_field<&T::manufacturer, 5>>>;
-};
-
-template <> struct wire::schema<cia402::statusword> {
-    using T = cia402::statusword;
-    using type = layout<bit_fields<u16le,
-        bit_field<&T::ready_to_switch_on, 1>,
-        bit_field<&T::switched_on, 1>,
-        bit_field<&T::operation_enabled, 1>,
-        bit_field<&T::fault, 1>,
-        bit_field<&T::voltage_enabled, 1>,
-        bit_field<&T::quick_stop, 1>,
-        bit_field<&T::switch_on_disabled, 1>,
-        bit_field<&T::warning, 1>,
-        bit_field<&T::manufacturer_8, 1>,
-        bit_field<&T::remote, 1>,
-        bit_field<&T::target_reached, 1>,
-        bit_field<&T::internal_limit, 1>,
-        bit_field<&T::mode_12, 1>,
-        bit_field<&T::mode_13, 1>,
-        bit_field<&T::manufacturer, 2>>>;
-};
-// clang-format on
 
 namespace cia402 {
 

@@ -7,7 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::ethercat {
+
+using namespace wire::items;
 
 /// What a CoE message is.
 enum class coe_service : std::uint8_t {
@@ -25,6 +29,15 @@ enum class coe_service : std::uint8_t {
 struct coe_header {
     std::uint16_t number{}; ///< 0 but for PDO services
     coe_service service{};  ///< what follows
+
+    struct schema {
+        using T = coe_header;
+        using type = layout<
+            bit_fields<u16le,
+                bit_field<&T::number, 9>,
+                reserved<3>,
+                bit_field<&T::service, 4>>>;
+    };
 };
 
 /// Command specifier. Requests and responses use the same values for different things.
@@ -49,12 +62,32 @@ struct sdo_header {
     sdo_specifier specifier{}; ///< what it asks for or answers
     std::uint16_t index{};     ///< of the object
     std::uint8_t subindex{};   ///< of the entry
+
+    struct schema {
+        using T = sdo_header;
+        using type = layout<
+            bit_fields<u8,
+                bit_field<&T::size_indicated, 1>,
+                bit_field<&T::expedited, 1>,
+                bit_field<&T::unused, 2>,
+                bit_field<&T::complete_access, 1>,
+                bit_field<&T::specifier, 3>>,
+            field<&T::index, u16le>,
+            field<&T::subindex, u8>>;
+    };
 };
 
 /// Initiate download request or upload response with 1 to 4 bytes of data, 8 bytes.
 struct sdo_expedited {
     sdo_header header{};             ///< with `expedited`
     std::array<std::byte, 4> data{}; ///< up to 4 bytes, from the first on
+
+    struct schema {
+        using T = sdo_expedited;
+        using type = layout<
+            nested<&T::header>,
+            field<&T::data, octets<4>>>;
+    };
 };
 
 /// Initiate download request or upload response of any size, 8 bytes and the data behind them.
@@ -62,6 +95,13 @@ struct sdo_expedited {
 struct sdo_normal {
     sdo_header header{};  ///< without `expedited`
     std::uint32_t size{}; ///< bytes of the whole transfer; if more than fit, segments follow
+
+    struct schema {
+        using T = sdo_normal;
+        using type = layout<
+            nested<&T::header>,
+            field<&T::size, u32le>>;
+    };
 };
 
 /// First byte of a download segment request, of an upload segment response, and of their answers.
@@ -70,6 +110,16 @@ struct sdo_segment_header {
     std::uint8_t unused{};     ///< how many of the first 7 data bytes are not data
     bool toggle{};             ///< false in the first segment, then alternating
     sdo_specifier specifier{}; ///< what it asks for or answers
+
+    struct schema {
+        using T = sdo_segment_header;
+        using type = layout<
+            bit_fields<u8,
+                bit_field<&T::last, 1>,
+                bit_field<&T::unused, 3>,
+                bit_field<&T::toggle, 1>,
+                bit_field<&T::specifier, 3>>>;
+    };
 };
 
 /// Why an SDO transfer was aborted. Other values occur: they pass through.
@@ -117,6 +167,13 @@ enum class abort_code : std::uint32_t {
 struct sdo_abort {
     sdo_header header{}; ///< names the object
     abort_code code{};
+
+    struct schema {
+        using T = sdo_abort;
+        using type = layout<
+            nested<&T::header>,
+            field<&T::code, enumeration<abort_code, u32le>>>;
+    };
 };
 
 /// Emergency, sent by a slave unasked, 8 bytes.
@@ -124,73 +181,14 @@ struct coe_emergency {
     std::uint16_t error_code{};      ///< what happened, in CANopen's numbers; 0: all is well again
     std::uint8_t error_register{};   ///< object 1001h
     std::array<std::byte, 5> data{}; ///< the vendor's own
+
+    struct schema {
+        using T = coe_emergency;
+        using type = layout<
+            field<&T::error_code, u16le>,
+            field<&T::error_register, u8>,
+            field<&T::data, octets<5>>>;
+    };
 };
 
 } // namespace jauscat::ethercat
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<ethercat::coe_header> {
-    using T = ethercat::coe_header;
-    using type = layout<
-        bit_fields<u16le,
-            bit_field<&T::number, 9>,
-            reserved<3>,
-            bit_field<&T::service, 4>>>;
-};
-
-template <> struct wire::schema<ethercat::sdo_header> {
-    using T = ethercat::sdo_header;
-    using type = layout<
-        bit_fields<u8,
-            bit_field<&T::size_indicated, 1>,
-            bit_field<&T::expedited, 1>,
-            bit_field<&T::unused, 2>,
-            bit_field<&T::complete_access, 1>,
-            bit_field<&T::specifier, 3>>,
-        field<&T::index, u16le>,
-        field<&T::subindex, u8>>;
-};
-
-template <> struct wire::schema<ethercat::sdo_expedited> {
-    using T = ethercat::sdo_expedited;
-    using type = layout<
-        nested<&T::header>,
-        field<&T::data, octets<4>>>;
-};
-
-template <> struct wire::schema<ethercat::sdo_normal> {
-    using T = ethercat::sdo_normal;
-    using type = layout<
-        nested<&T::header>,
-        field<&T::size, u32le>>;
-};
-
-template <> struct wire::schema<ethercat::sdo_segment_header> {
-    using T = ethercat::sdo_segment_header;
-    using type = layout<
-        bit_fields<u8,
-            bit_field<&T::last, 1>,
-            bit_field<&T::unused, 3>,
-            bit_field<&T::toggle, 1>,
-            bit_field<&T::specifier, 3>>>;
-};
-
-template <> struct wire::schema<ethercat::sdo_abort> {
-    using T = ethercat::sdo_abort;
-    using type = layout<
-        nested<&T::header>,
-        field<&T::code, enumeration<ethercat::abort_code, u32le>>>;
-};
-
-template <> struct wire::schema<ethercat::coe_emergency> {
-    using T = ethercat::coe_emergency;
-    using type = layout<
-        field<&T::error_code, u16le>,
-        field<&T::error_register, u8>,
-        field<&T::data, octets<5>>>;
-};
-
-} // namespace jauscat

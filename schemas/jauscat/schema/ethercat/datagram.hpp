@@ -5,7 +5,11 @@
 
 #include <cstdint>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::ethercat {
+
+using namespace wire::items;
 
 /// What a slave does with a datagram, and what it then adds to the working counter.
 enum class command : std::uint8_t {
@@ -36,37 +40,31 @@ struct datagram_header {
     bool circulating{};     ///< set by a slave whose port 0 is closed: the ring is broken
     bool more{};            ///< another datagram follows in this frame
     std::uint16_t irq{};    ///< event request bits that the slaves or in
+
+    struct schema {
+        using T = datagram_header;
+        using type = layout<
+            field<&T::cmd, enumeration<command, u8>>,
+            field<&T::index, u8>,
+            field<&T::adp, u16le>,
+            field<&T::ado, u16le>,
+            bit_fields<u16le,
+                bit_field<&T::length, 11>,
+                reserved<3>,
+                bit_field<&T::circulating, 1>,
+                bit_field<&T::more, 1>>,
+            field<&T::irq, u16le>>;
+    };
 };
 
 /// What follows a datagram's data, 2 bytes.
 struct datagram_trailer {
     std::uint16_t working_counter{}; ///< number of slaves that executed the command, see `command`
+
+    struct schema {
+        using T = datagram_trailer;
+        using type = layout<field<&T::working_counter, u16le>>;
+    };
 };
 
 } // namespace jauscat::ethercat
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<ethercat::datagram_header> {
-    using T = ethercat::datagram_header;
-    using type = layout<
-        field<&T::cmd, enumeration<ethercat::command, u8>>,
-        field<&T::index, u8>,
-        field<&T::adp, u16le>,
-        field<&T::ado, u16le>,
-        bit_fields<u16le,
-            bit_field<&T::length, 11>,
-            reserved<3>,
-            bit_field<&T::circulating, 1>,
-            bit_field<&T::more, 1>>,
-        field<&T::irq, u16le>>;
-};
-
-template <> struct wire::schema<ethercat::datagram_trailer> {
-    using T = ethercat::datagram_trailer;
-    using type = layout<field<&T::working_counter, u16le>>;
-};
-
-} // namespace jauscat

@@ -9,7 +9,11 @@
 #include <array>
 #include <cstdint>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::ethercat {
+
+using namespace wire::items;
 
 /// Size of the times of a slave's clock.
 enum class clock_width : std::uint8_t { no_clock, bits_32, bits_64 };
@@ -78,25 +82,35 @@ inline constexpr esc_register_of<dc_nanoseconds> dc_pdi_buffer_change{{0x09FC, 4
 /// Local times at which a frame began to arrive at the ports, in ns; they wrap after 4.3 s.
 struct dc_receive_times {
     std::array<std::uint32_t, 4> ports{}; ///< by port number
+
+    struct schema { using type = layout<array<&dc_receive_times::ports, u32le>>; };
 };
 
 /// A time in ns, as the local clock counts it, or since 2000-01-01 00:00 for a system time.
 struct dc_time {
     std::uint64_t value{};
+
+    struct schema { using type = layout<field<&dc_time::value, u64le>>; };
 };
 /// The low half of a dc_time.
 struct dc_time_32 {
     std::uint32_t value{};
+
+    struct schema { using type = layout<field<&dc_time_32::value, u32le>>; };
 };
 
 /// From the local time to the system time, in ns.
 struct dc_offset {
     std::int64_t value{};
+
+    struct schema { using type = layout<field<&dc_offset::value, i64le>>; };
 };
 
 /// A span of time, in ns.
 struct dc_nanoseconds {
     std::uint32_t value{};
+
+    struct schema { using type = layout<field<&dc_nanoseconds::value, u32le>>; };
 };
 
 /// Difference between the slave's time and the one it received, in ns: not in two's complement.
@@ -114,22 +128,47 @@ struct dc_difference {
         if (ns >= 0) return {static_cast<std::uint32_t>(ns), false};
         return {ns == INT32_MIN ? 0x7FFFFFFFu : static_cast<std::uint32_t>(-ns), true};
     }
+
+    struct schema {
+        using T = dc_difference;
+        using type = layout<
+            bit_fields<u32le,
+                bit_field<&T::magnitude, 31>,
+                bit_field<&T::behind, 1>>>;
+    };
 };
 
 /// Deviation of the local clock's period from that of the reference clock. Its unit depends on dc_speed_start `s`:
 /// a value d changes the speed by d / (5 (s + d + 2) (s - d + 2)).
 struct dc_speed_difference {
     std::int16_t value{};
+
+    struct schema { using type = layout<field<&dc_speed_difference::value, i16le>>; };
 };
 
 /// Depths of the filters of the control.
 struct dc_filters {
     std::uint8_t difference{}; ///< of dc_difference
     std::uint8_t speed{};      ///< of dc_speed_difference
+
+    struct schema {
+        using T = dc_filters;
+        using type = layout<
+            field<&T::difference, u8>,
+            field<&T::speed, u8>>;
+    };
 };
 
 struct dc_receive_latch_mode {
     bool reverse{}; ///< frames enter at another port than 0
+
+    struct schema {
+        using T = dc_receive_latch_mode;
+        using type = layout<
+            bit_fields<u8,
+                bit_field<&T::reverse, 1>,
+                reserved<7>>>;
+    };
 };
 
 /// Owners of the SYNC and latch units: the slave's application, or the master where false.
@@ -137,6 +176,17 @@ struct dc_cyclic_control {
     bool sync_by_pdi{};
     bool latch0_by_pdi{};
     bool latch1_by_pdi{};
+
+    struct schema {
+        using T = dc_cyclic_control;
+        using type = layout<
+            bit_fields<u8,
+                bit_field<&T::sync_by_pdi, 1>,
+                reserved<3>,
+                bit_field<&T::latch0_by_pdi, 1>,
+                bit_field<&T::latch1_by_pdi, 1>,
+                reserved<2>>>;
+    };
 };
 
 /// What of the SYNC unit is on.
@@ -149,23 +199,64 @@ struct dc_activation {
     bool check_start{};       ///< a start time that is not in the near future begins at once
     bool near_future_short{}; ///< the near future is 2.1 s, else half the range of the time
     bool test_pulse{};        ///< one pulse on the signals that are on
+
+    struct schema {
+        using T = dc_activation;
+        using type = layout<
+            bit_fields<u8,
+                bit_field<&T::on, 1>,
+                bit_field<&T::sync0, 1>,
+                bit_field<&T::sync1, 1>,
+                bit_field<&T::on_by_start_time, 1>,
+                bit_field<&T::extend_start, 1>,
+                bit_field<&T::check_start, 1>,
+                bit_field<&T::near_future_short, 1>,
+                bit_field<&T::test_pulse, 1>>>;
+    };
 };
 
 struct dc_activation_status {
     bool sync0_pending{};  ///< the first SYNC0 has not come yet
     bool sync1_pending{};  ///< the first SYNC1 has not come yet
     bool start_not_near{}; ///< the start time was not in the near future when the unit was switched on
+
+    struct schema {
+        using T = dc_activation_status;
+        using type = layout<
+            bit_fields<u8,
+                bit_field<&T::sync0_pending, 1>,
+                bit_field<&T::sync1_pending, 1>,
+                bit_field<&T::start_not_near, 1>,
+                reserved<5>>>;
+    };
 };
 
 /// State of a SYNC signal, for the slave to acknowledge where the pulse length is 0.
 struct dc_sync_status {
     bool active{};
+
+    struct schema {
+        using T = dc_sync_status;
+        using type = layout<
+            bit_fields<u8,
+                bit_field<&T::active, 1>,
+                reserved<7>>>;
+    };
 };
 
 /// Whether a latch takes the first event of a kind only, until it is read; else each one.
 struct dc_latch_control {
     bool first_rise{};
     bool first_fall{};
+
+    struct schema {
+        using T = dc_latch_control;
+        using type = layout<
+            bit_fields<u8,
+                bit_field<&T::first_rise, 1>,
+                bit_field<&T::first_fall, 1>,
+                reserved<6>>>;
+    };
 };
 
 /// Events that a latch holds.
@@ -173,119 +264,16 @@ struct dc_latch_status {
     bool rise{};
     bool fall{};
     bool pin{}; ///< its level
+
+    struct schema {
+        using T = dc_latch_status;
+        using type = layout<
+            bit_fields<u8,
+                bit_field<&T::rise, 1>,
+                bit_field<&T::fall, 1>,
+                bit_field<&T::pin, 1>,
+                reserved<5>>>;
+    };
 };
 
 } // namespace jauscat::ethercat
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<ethercat::dc_receive_times> {
-    using type = layout<array<&ethercat::dc_receive_times::ports, u32le>>;
-};
-
-template <> struct wire::schema<ethercat::dc_time> { using type = layout<field<&ethercat::dc_time::value, u64le>>; };
-
-template <> struct wire::schema<ethercat::dc_time_32> {
-    using type = layout<field<&ethercat::dc_time_32::value, u32le>>;
-};
-
-template <> struct wire::schema<ethercat::dc_offset> {
-    using type = layout<field<&ethercat::dc_offset::value, i64le>>;
-};
-
-template <> struct wire::schema<ethercat::dc_nanoseconds> {
-    using type = layout<field<&ethercat::dc_nanoseconds::value, u32le>>;
-};
-
-template <> struct wire::schema<ethercat::dc_difference> {
-    using T = ethercat::dc_difference;
-    using type = layout<
-        bit_fields<u32le,
-            bit_field<&T::magnitude, 31>,
-            bit_field<&T::behind, 1>>>;
-};
-
-template <> struct wire::schema<ethercat::dc_speed_difference> {
-    using type = layout<field<&ethercat::dc_speed_difference::value, i16le>>;
-};
-
-template <> struct wire::schema<ethercat::dc_filters> {
-    using T = ethercat::dc_filters;
-    using type = layout<
-        field<&T::difference, u8>,
-        field<&T::speed, u8>>;
-};
-
-template <> struct wire::schema<ethercat::dc_receive_latch_mode> {
-    using T = ethercat::dc_receive_latch_mode;
-    using type = layout<
-        bit_fields<u8,
-            bit_field<&T::reverse, 1>,
-            reserved<7>>>;
-};
-
-template <> struct wire::schema<ethercat::dc_cyclic_control> {
-    using T = ethercat::dc_cyclic_control;
-    using type = layout<
-        bit_fields<u8,
-            bit_field<&T::sync_by_pdi, 1>,
-            reserved<3>,
-            bit_field<&T::latch0_by_pdi, 1>,
-            bit_field<&T::latch1_by_pdi, 1>,
-            reserved<2>>>;
-};
-
-template <> struct wire::schema<ethercat::dc_activation> {
-    using T = ethercat::dc_activation;
-    using type = layout<
-        bit_fields<u8,
-            bit_field<&T::on, 1>,
-            bit_field<&T::sync0, 1>,
-            bit_field<&T::sync1, 1>,
-            bit_field<&T::on_by_start_time, 1>,
-            bit_field<&T::extend_start, 1>,
-            bit_field<&T::check_start, 1>,
-            bit_field<&T::near_future_short, 1>,
-            bit_field<&T::test_pulse, 1>>>;
-};
-
-template <> struct wire::schema<ethercat::dc_activation_status> {
-    using T = ethercat::dc_activation_status;
-    using type = layout<
-        bit_fields<u8,
-            bit_field<&T::sync0_pending, 1>,
-            bit_field<&T::sync1_pending, 1>,
-            bit_field<&T::start_not_near, 1>,
-            reserved<5>>>;
-};
-
-template <> struct wire::schema<ethercat::dc_sync_status> {
-    using T = ethercat::dc_sync_status;
-    using type = layout<
-        bit_fields<u8,
-            bit_field<&T::active, 1>,
-            reserved<7>>>;
-};
-
-template <> struct wire::schema<ethercat::dc_latch_control> {
-    using T = ethercat::dc_latch_control;
-    using type = layout<
-        bit_fields<u8,
-            bit_field<&T::first_rise, 1>,
-            bit_field<&T::first_fall, 1>,
-            reserved<6>>>;
-};
-
-template <> struct wire::schema<ethercat::dc_latch_status> {
-    using T = ethercat::dc_latch_status;
-    using type = layout<
-        bit_fields<u8,
-            bit_field<&T::rise, 1>,
-            bit_field<&T::fall, 1>,
-            bit_field<&T::pin, 1>,
-            reserved<5>>>;
-};
-
-} // namespace jauscat

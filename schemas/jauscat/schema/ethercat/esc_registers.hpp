@@ -9,7 +9,11 @@
 #include <cstddef>
 #include <cstdint>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::ethercat {
+
+using namespace wire::items;
 
 /// Address of a register in a slave's memory, and its size in bytes.
 struct esc_register {
@@ -89,6 +93,8 @@ inline constexpr esc_register process_ram{0x1000, 0}; ///< mailboxes and process
 /// A register of 2 bytes that is a plain number, such as the station address.
 struct esc_word {
     std::uint16_t value{}; ///< the number
+
+    struct schema { using type = layout<field<&esc_word::value, u16le>>; };
 };
 
 /// What a slave controller can do (0x0000 to 0x0009), 10 bytes.
@@ -111,6 +117,32 @@ struct esc_description {
     bool no_lrw{};                ///< LRW is not supported
     bool no_read_write{};         ///< BRW, APRW and FPRW are not supported
     bool fixed{};                 ///< FMMUs and SyncManagers cannot be changed
+
+    struct schema {
+        using T = esc_description;
+        using type = layout<
+            field<&T::type, u8>,
+            field<&T::revision, u8>,
+            field<&T::build, u16le>,
+            field<&T::fmmus, u8>,
+            field<&T::sync_managers, u8>,
+            field<&T::ram, u8>,
+            field<&T::ports, u8>,
+            bit_fields<u16le,
+                bit_field<&T::byte_fmmu, 1>,
+                reserved<1>,
+                bit_field<&T::dc, 1>,
+                bit_field<&T::dc_64, 1>,
+                bit_field<&T::ebus_low_jitter, 1>,
+                bit_field<&T::ebus_link_detection, 1>,
+                bit_field<&T::mii_link_detection, 1>,
+                bit_field<&T::separate_fcs_errors, 1>,
+                bit_field<&T::dc_sync_activation, 1>,
+                bit_field<&T::no_lrw, 1>,
+                bit_field<&T::no_read_write, 1>,
+                bit_field<&T::fixed, 1>,
+                reserved<4>>>;
+    };
 };
 
 /// State of one port of a slave (in DL status).
@@ -142,6 +174,28 @@ struct dl_status {
                  {link_2, closed_2, communication_2},
                  {link_3, closed_3, communication_3}}};
     }
+
+    struct schema {
+        using T = dl_status;
+        using type = layout<
+            bit_fields<u16le,
+                bit_field<&T::pdi_operational, 1>,
+                bit_field<&T::pdi_watchdog_ok, 1>,
+                bit_field<&T::enhanced_link_detection, 1>,
+                reserved<1>,
+                bit_field<&T::link_0, 1>,
+                bit_field<&T::link_1, 1>,
+                bit_field<&T::link_2, 1>,
+                bit_field<&T::link_3, 1>,
+                bit_field<&T::closed_0, 1>,
+                bit_field<&T::communication_0, 1>,
+                bit_field<&T::closed_1, 1>,
+                bit_field<&T::communication_1, 1>,
+                bit_field<&T::closed_2, 1>,
+                bit_field<&T::communication_2, 1>,
+                bit_field<&T::closed_3, 1>,
+                bit_field<&T::communication_3, 1>>>;
+    };
 };
 
 /// How a SyncManager hands memory over.
@@ -170,12 +224,50 @@ struct sync_manager {
     bool latch_pdi{};                   ///< the application's access latches an event
     bool pdi_disable{};                 ///< the slave has switched this SyncManager off
     bool repeat_acknowledge{};          ///< equals `repeat_request` once the slave has done so
+
+    struct schema {
+        using T = sync_manager;
+        using type = layout<
+            field<&T::start, u16le>,
+            field<&T::length, u16le>,
+            bit_fields<u8,
+                bit_field<&T::mode, 2>,
+                bit_field<&T::direction, 2>,
+                bit_field<&T::ecat_interrupt, 1>,
+                bit_field<&T::pdi_interrupt, 1>,
+                bit_field<&T::watchdog, 1>,
+                reserved<1>>,
+            bit_fields<u8,
+                bit_field<&T::write_event, 1>,
+                bit_field<&T::read_event, 1>,
+                reserved<1>,
+                bit_field<&T::full, 1>,
+                bit_field<&T::last_buffer, 2>,
+                bit_field<&T::buffer_in_use, 2>>,
+            bit_fields<u8,
+                bit_field<&T::enable, 1>,
+                bit_field<&T::repeat_request, 1>,
+                reserved<4>,
+                bit_field<&T::latch_ecat, 1>,
+                bit_field<&T::latch_pdi, 1>>,
+            bit_fields<u8,
+                bit_field<&T::pdi_disable, 1>,
+                bit_field<&T::repeat_acknowledge, 1>,
+                reserved<6>>>;
+    };
 };
 
 /// SyncManagers 0 and 1 (0x0800), 16 bytes: one datagram configures a mailbox.
 struct mailbox_managers {
     sync_manager out{}; ///< master to slave
     sync_manager in{};  ///< slave to master
+
+    struct schema {
+        using T = mailbox_managers;
+        using type = layout<
+            nested<&T::out>,
+            nested<&T::in>>;
+    };
 };
 
 /// The last three bytes of a SyncManager (0x0805 + 8 n): what polling and the repeat request need.
@@ -184,12 +276,38 @@ struct sync_manager_handshake {
     bool enable{};             ///< the SyncManager is on
     bool repeat_request{};     ///< toggled by the master: give the last mailbox message again
     bool repeat_acknowledge{}; ///< equals `repeat_request` once the slave has done so
+
+    struct schema {
+        using T = sync_manager_handshake;
+        using type = layout<
+            bit_fields<u8,
+                reserved<3>,
+                bit_field<&T::full, 1>,
+                reserved<4>>,
+            bit_fields<u8,
+                bit_field<&T::enable, 1>,
+                bit_field<&T::repeat_request, 1>,
+                reserved<6>>,
+            bit_fields<u8,
+                reserved<1>,
+                bit_field<&T::repeat_acknowledge, 1>,
+                reserved<6>>>;
+    };
 };
 
 /// Activate byte of a SyncManager (0x0806 + 8 n).
 struct sync_manager_activate {
     bool enable{};         ///< the SyncManager is on
     bool repeat_request{}; ///< toggled by the master: give the last mailbox message again
+
+    struct schema {
+        using T = sync_manager_activate;
+        using type = layout<
+            bit_fields<u8,
+                bit_field<&T::enable, 1>,
+                bit_field<&T::repeat_request, 1>,
+                reserved<6>>>;
+    };
 };
 
 /// FMMU (0x0600 + 16 n), 16 bytes: maps some bits of the logical address space to the slave's memory.
@@ -203,12 +321,45 @@ struct fmmu {
     bool read{};                    ///< a master may read
     bool write{};                   ///< a master may write
     bool enable{};                  ///< without it nothing is mapped
+
+    struct schema {
+        using T = fmmu;
+        using type = layout<
+            field<&T::logical_start, u32le>,
+            field<&T::length, u16le>,
+            bit_fields<u8,
+                bit_field<&T::first_bit, 3>,
+                reserved<5>>,
+            bit_fields<u8,
+                bit_field<&T::last_bit, 3>,
+                reserved<5>>,
+            field<&T::physical_start, u16le>,
+            bit_fields<u8,
+                bit_field<&T::physical_bit, 3>,
+                reserved<5>>,
+            bit_fields<u8,
+                bit_field<&T::read, 1>,
+                bit_field<&T::write, 1>,
+                reserved<6>>,
+            bit_fields<u32le,
+                bit_field<&T::enable, 1>,
+                reserved<31>>>;
+    };
 };
 
 /// SII owner (0x0500).
 struct sii_owner {
     bool pdi{};   ///< true gives the memory to the slave's application
     bool force{}; ///< revokes it regardless of the application
+
+    struct schema {
+        using T = sii_owner;
+        using type = layout<
+            bit_fields<u8,
+                bit_field<&T::pdi, 1>,
+                bit_field<&T::force, 1>,
+                reserved<6>>>;
+    };
 };
 
 /// Command to the SII memory.
@@ -226,189 +377,36 @@ struct sii_request {
     bool write_enable_error{}; ///< read only
     bool busy{};               ///< read only
     std::uint32_t address{};   ///< in words
+
+    struct schema {
+        using T = sii_request;
+        using type = layout<
+            bit_fields<u16le,
+                bit_field<&T::write_enable, 1>,
+                reserved<5>,
+                bit_field<&T::eight_byte_reads, 1>,
+                bit_field<&T::two_address_bytes, 1>,
+                bit_field<&T::cmd, 3>,
+                bit_field<&T::checksum_error, 1>,
+                bit_field<&T::not_loaded, 1>,
+                bit_field<&T::command_error, 1>,
+                bit_field<&T::write_enable_error, 1>,
+                bit_field<&T::busy, 1>>,
+            field<&T::address, u32le>>;
+    };
 };
 
 /// SII control, address and data (0x0502 to 0x050F), 14 bytes: one datagram reads the outcome of an access.
 struct sii_access {
     sii_request request{};           ///< command, status and address
     std::array<std::byte, 8> data{}; ///< 4 or 8 bytes that were read, or 2 to be written
+
+    struct schema {
+        using T = sii_access;
+        using type = layout<
+            nested<&T::request>,
+            field<&T::data, octets<8>>>;
+    };
 };
 
 } // namespace jauscat::ethercat
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<ethercat::esc_word> { using type = layout<field<&ethercat::esc_word::value, u16le>>; };
-
-template <> struct wire::schema<ethercat::esc_description> {
-    using T = ethercat::esc_description;
-    using type = layout<
-        field<&T::type, u8>,
-        field<&T::revision, u8>,
-        field<&T::build, u16le>,
-        field<&T::fmmus, u8>,
-        field<&T::sync_managers, u8>,
-        field<&T::ram, u8>,
-        field<&T::ports, u8>,
-        bit_fields<u16le,
-            bit_field<&T::byte_fmmu, 1>,
-            reserved<1>,
-            bit_field<&T::dc, 1>,
-            bit_field<&T::dc_64, 1>,
-            bit_field<&T::ebus_low_jitter, 1>,
-            bit_field<&T::ebus_link_detection, 1>,
-            bit_field<&T::mii_link_detection, 1>,
-            bit_field<&T::separate_fcs_errors, 1>,
-            bit_field<&T::dc_sync_activation, 1>,
-            bit_field<&T::no_lrw, 1>,
-            bit_field<&T::no_read_write, 1>,
-            bit_field<&T::fixed, 1>,
-            reserved<4>>>;
-};
-
-template <> struct wire::schema<ethercat::dl_status> {
-    using T = ethercat::dl_status;
-    using type = layout<
-        bit_fields<u16le,
-            bit_field<&T::pdi_operational, 1>,
-            bit_field<&T::pdi_watchdog_ok, 1>,
-            bit_field<&T::enhanced_link_detection, 1>,
-            reserved<1>,
-            bit_field<&T::link_0, 1>,
-            bit_field<&T::link_1, 1>,
-            bit_field<&T::link_2, 1>,
-            bit_field<&T::link_3, 1>,
-            bit_field<&T::closed_0, 1>,
-            bit_field<&T::communication_0, 1>,
-            bit_field<&T::closed_1, 1>,
-            bit_field<&T::communication_1, 1>,
-            bit_field<&T::closed_2, 1>,
-            bit_field<&T::communication_2, 1>,
-            bit_field<&T::closed_3, 1>,
-            bit_field<&T::communication_3, 1>>>;
-};
-
-template <> struct wire::schema<ethercat::sync_manager> {
-    using T = ethercat::sync_manager;
-    using type = layout<
-        field<&T::start, u16le>,
-        field<&T::length, u16le>,
-        bit_fields<u8,
-            bit_field<&T::mode, 2>,
-            bit_field<&T::direction, 2>,
-            bit_field<&T::ecat_interrupt, 1>,
-            bit_field<&T::pdi_interrupt, 1>,
-            bit_field<&T::watchdog, 1>,
-            reserved<1>>,
-        bit_fields<u8,
-            bit_field<&T::write_event, 1>,
-            bit_field<&T::read_event, 1>,
-            reserved<1>,
-            bit_field<&T::full, 1>,
-            bit_field<&T::last_buffer, 2>,
-            bit_field<&T::buffer_in_use, 2>>,
-        bit_fields<u8,
-            bit_field<&T::enable, 1>,
-            bit_field<&T::repeat_request, 1>,
-            reserved<4>,
-            bit_field<&T::latch_ecat, 1>,
-            bit_field<&T::latch_pdi, 1>>,
-        bit_fields<u8,
-            bit_field<&T::pdi_disable, 1>,
-            bit_field<&T::repeat_acknowledge, 1>,
-            reserved<6>>>;
-};
-
-template <> struct wire::schema<ethercat::mailbox_managers> {
-    using T = ethercat::mailbox_managers;
-    using type = layout<
-        nested<&T::out>,
-        nested<&T::in>>;
-};
-
-template <> struct wire::schema<ethercat::sync_manager_handshake> {
-    using T = ethercat::sync_manager_handshake;
-    using type = layout<
-        bit_fields<u8,
-            reserved<3>,
-            bit_field<&T::full, 1>,
-            reserved<4>>,
-        bit_fields<u8,
-            bit_field<&T::enable, 1>,
-            bit_field<&T::repeat_request, 1>,
-            reserved<6>>,
-        bit_fields<u8,
-            reserved<1>,
-            bit_field<&T::repeat_acknowledge, 1>,
-            reserved<6>>>;
-};
-
-template <> struct wire::schema<ethercat::sync_manager_activate> {
-    using T = ethercat::sync_manager_activate;
-    using type = layout<
-        bit_fields<u8,
-            bit_field<&T::enable, 1>,
-            bit_field<&T::repeat_request, 1>,
-            reserved<6>>>;
-};
-
-template <> struct wire::schema<ethercat::fmmu> {
-    using T = ethercat::fmmu;
-    using type = layout<
-        field<&T::logical_start, u32le>,
-        field<&T::length, u16le>,
-        bit_fields<u8,
-            bit_field<&T::first_bit, 3>,
-            reserved<5>>,
-        bit_fields<u8,
-            bit_field<&T::last_bit, 3>,
-            reserved<5>>,
-        field<&T::physical_start, u16le>,
-        bit_fields<u8,
-            bit_field<&T::physical_bit, 3>,
-            reserved<5>>,
-        bit_fields<u8,
-            bit_field<&T::read, 1>,
-            bit_field<&T::write, 1>,
-            reserved<6>>,
-        bit_fields<u32le,
-            bit_field<&T::enable, 1>,
-            reserved<31>>>;
-};
-
-template <> struct wire::schema<ethercat::sii_owner> {
-    using T = ethercat::sii_owner;
-    using type = layout<
-        bit_fields<u8,
-            bit_field<&T::pdi, 1>,
-            bit_field<&T::force, 1>,
-            reserved<6>>>;
-};
-
-template <> struct wire::schema<ethercat::sii_request> {
-    using T = ethercat::sii_request;
-    using type = layout<
-        bit_fields<u16le,
-            bit_field<&T::write_enable, 1>,
-            reserved<5>,
-            bit_field<&T::eight_byte_reads, 1>,
-            bit_field<&T::two_address_bytes, 1>,
-            bit_field<&T::cmd, 3>,
-            bit_field<&T::checksum_error, 1>,
-            bit_field<&T::not_loaded, 1>,
-            bit_field<&T::command_error, 1>,
-            bit_field<&T::write_enable_error, 1>,
-            bit_field<&T::busy, 1>>,
-        field<&T::address, u32le>>;
-};
-
-template <> struct wire::schema<ethercat::sii_access> {
-    using T = ethercat::sii_access;
-    using type = layout<
-        nested<&T::request>,
-        field<&T::data, octets<8>>>;
-};
-
-} // namespace jauscat

@@ -7,7 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::ethercat {
+
+using namespace wire::items;
 
 inline constexpr std::uint16_t ether_type_ethercat = 0x88A4; ///< EtherType of EtherCAT frames
 inline constexpr std::uint16_t ether_type_vlan = 0x8100;     ///< EtherType of a VLAN tag (IEEE 802.1Q)
@@ -22,12 +26,27 @@ struct ethernet_header {
     std::array<std::byte, 6> destination{}; ///< any; mostly FF:FF:FF:FF:FF:FF
     std::array<std::byte, 6> source{};      ///< the master's interface
     std::uint16_t ether_type{};             ///< 88A4h: EtherCAT; 8100h: a vlan_tag follows
+
+    struct schema {
+        using T = ethernet_header;
+        using type = layout<
+            field<&T::destination, octets<6>>,
+            field<&T::source, octets<6>>,
+            field<&T::ether_type, u16be>>;
+    };
 };
 
 /// IEEE 802.1Q tag, 4 bytes, between the Ethernet header and what its EtherType announces.
 struct vlan_tag {
     std::uint16_t control{};    ///< priority and number of the VLAN
     std::uint16_t ether_type{}; ///< of what follows
+
+    struct schema {
+        using T = vlan_tag;
+        using type = layout<
+            field<&T::control, u16be>,
+            field<&T::ether_type, u16be>>;
+    };
 };
 
 /// What an EtherCAT frame carries.
@@ -37,36 +56,15 @@ enum class frame_type : std::uint8_t { datagrams = 1, network_variables = 4, mai
 struct frame_header {
     std::uint16_t length{}; ///< bytes of all datagrams, without this header and without padding; 0 to 2047
     frame_type type{};      ///< what it carries
+
+    struct schema {
+        using T = frame_header;
+        using type = layout<
+            bit_fields<u16le,
+                bit_field<&T::length, 11>,
+                reserved<1>,
+                bit_field<&T::type, 4>>>;
+    };
 };
 
 } // namespace jauscat::ethercat
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<ethercat::ethernet_header> {
-    using T = ethercat::ethernet_header;
-    using type = layout<
-        field<&T::destination, octets<6>>,
-        field<&T::source, octets<6>>,
-        field<&T::ether_type, u16be>>;
-};
-
-template <> struct wire::schema<ethercat::vlan_tag> {
-    using T = ethercat::vlan_tag;
-    using type = layout<
-        field<&T::control, u16be>,
-        field<&T::ether_type, u16be>>;
-};
-
-template <> struct wire::schema<ethercat::frame_header> {
-    using T = ethercat::frame_header;
-    using type = layout<
-        bit_fields<u16le,
-            bit_field<&T::length, 11>,
-            reserved<1>,
-            bit_field<&T::type, 4>>>;
-};
-
-} // namespace jauscat

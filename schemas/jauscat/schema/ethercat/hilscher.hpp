@@ -4,7 +4,11 @@
 #pragma once
 #include <jauscat/wire/schema.hpp>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::hilscher {
+
+using namespace wire::items;
 
 /// ulCmd: the service of a packet. An answer is its request plus 1.
 enum class packet_command : std::uint32_t {
@@ -116,6 +120,21 @@ struct packet_header {
     std::uint32_t ul_ext{};     ///< place in a sequence: 0x80 first, 0xC0 middle, 0x40 last, 0x200 will be retried
     std::uint32_t ul_rout{};    ///< 0; firmware internal
     friend constexpr bool operator==(const packet_header&, const packet_header&) = default;
+
+    struct schema {
+        using T = packet_header;
+        using type = layout<
+            field<&T::ul_dest, u32le>,
+            field<&T::ul_src, u32le>,
+            field<&T::ul_dest_id, u32le>,
+            field<&T::ul_src_id, u32le>,
+            field<&T::ul_len, u32le>,
+            field<&T::ul_id, u32le>,
+            field<&T::ul_sta, enumeration<packet_status, u32le>>,
+            field<&T::ul_cmd, enumeration<packet_command, u32le>>,
+            field<&T::ul_ext, u32le>,
+            field<&T::ul_rout, u32le>>;
+    };
 };
 
 /// ETHERCAT_MASTER_PACKET_SDO_DOWNLOAD_REQ_T without its data: 56 bytes, then abSdoData with ulDataCnt bytes.
@@ -127,12 +146,27 @@ struct sdo_download_request {
     std::uint32_t ul_sub_index{}; ///< subindex, 0 to 255
     std::uint32_t ul_data_cnt{};  ///< n, bytes of abSdoData
     friend constexpr bool operator==(const sdo_download_request&, const sdo_download_request&) = default;
+
+    struct schema {
+        using T = sdo_download_request;
+        using type = layout<
+            nested<&T::head>,
+            field<&T::ul_node_id, u32le>,
+            field<&T::ul_index, u32le>,
+            field<&T::ul_sub_index, u32le>,
+            field<&T::ul_data_cnt, u32le>>;
+    };
 };
 
 /// Answer to a download: 40 bytes. ulCmd 0x00650009, ulLen 0; the result is ulSta.
 struct sdo_download_confirmation {
     packet_header head{.ul_cmd = packet_command::sdo_download_cnf};
     friend constexpr bool operator==(const sdo_download_confirmation&, const sdo_download_confirmation&) = default;
+
+    struct schema {
+        using T = sdo_download_confirmation;
+        using type = layout<nested<&T::head>>;
+    };
 };
 
 /// Request to read an object: 52 bytes. ulCmd 0x00650006, ulLen 12.
@@ -142,6 +176,15 @@ struct sdo_upload_request {
     std::uint32_t ul_index{};     ///< object index, 0 to 0xFFFF
     std::uint32_t ul_sub_index{}; ///< subindex, 0 to 255
     friend constexpr bool operator==(const sdo_upload_request&, const sdo_upload_request&) = default;
+
+    struct schema {
+        using T = sdo_upload_request;
+        using type = layout<
+            nested<&T::head>,
+            field<&T::ul_node_id, u32le>,
+            field<&T::ul_index, u32le>,
+            field<&T::ul_sub_index, u32le>>;
+    };
 };
 
 /// Answer to an upload without its data: 56 bytes, then abSdoData. ulCmd 0x00650007, ulLen 16 + n. An answer with an
@@ -153,6 +196,16 @@ struct sdo_upload_confirmation {
     std::uint32_t ul_sub_index{}; ///< as in the request
     std::uint32_t ul_data_cnt{};  ///< n, bytes of abSdoData
     friend constexpr bool operator==(const sdo_upload_confirmation&, const sdo_upload_confirmation&) = default;
+
+    struct schema {
+        using T = sdo_upload_confirmation;
+        using type = layout<
+            nested<&T::head>,
+            field<&T::ul_node_id, u32le>,
+            field<&T::ul_index, u32le>,
+            field<&T::ul_sub_index, u32le>,
+            field<&T::ul_data_cnt, u32le>>;
+    };
 };
 
 /// Most bytes of body.
@@ -163,58 +216,3 @@ inline constexpr std::size_t max_sdo_data = max_packet_body - 16;
 inline constexpr std::size_t max_sdo_data_before_2011_09 = 1544;
 
 } // namespace jauscat::hilscher
-
-// One line per field, as in the manual's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<hilscher::packet_header> {
-    using T = hilscher::packet_header;
-    using type = layout<
-        field<&T::ul_dest, u32le>,
-        field<&T::ul_src, u32le>,
-        field<&T::ul_dest_id, u32le>,
-        field<&T::ul_src_id, u32le>,
-        field<&T::ul_len, u32le>,
-        field<&T::ul_id, u32le>,
-        field<&T::ul_sta, enumeration<hilscher::packet_status, u32le>>,
-        field<&T::ul_cmd, enumeration<hilscher::packet_command, u32le>>,
-        field<&T::ul_ext, u32le>,
-        field<&T::ul_rout, u32le>>;
-};
-
-template <> struct wire::schema<hilscher::sdo_download_request> {
-    using T = hilscher::sdo_download_request;
-    using type = layout<
-        nested<&T::head>,
-        field<&T::ul_node_id, u32le>,
-        field<&T::ul_index, u32le>,
-        field<&T::ul_sub_index, u32le>,
-        field<&T::ul_data_cnt, u32le>>;
-};
-
-template <> struct wire::schema<hilscher::sdo_download_confirmation> {
-    using T = hilscher::sdo_download_confirmation;
-    using type = layout<nested<&T::head>>;
-};
-
-template <> struct wire::schema<hilscher::sdo_upload_request> {
-    using T = hilscher::sdo_upload_request;
-    using type = layout<
-        nested<&T::head>,
-        field<&T::ul_node_id, u32le>,
-        field<&T::ul_index, u32le>,
-        field<&T::ul_sub_index, u32le>>;
-};
-
-template <> struct wire::schema<hilscher::sdo_upload_confirmation> {
-    using T = hilscher::sdo_upload_confirmation;
-    using type = layout<
-        nested<&T::head>,
-        field<&T::ul_node_id, u32le>,
-        field<&T::ul_index, u32le>,
-        field<&T::ul_sub_index, u32le>,
-        field<&T::ul_data_cnt, u32le>>;
-};
-
-} // namespace jauscat

@@ -10,7 +10,11 @@
 #include <optional>
 #include <string_view>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::hilscher {
+
+using namespace wire::items;
 
 /// bObjectCode.
 enum class od_object_code : std::uint8_t {
@@ -87,12 +91,49 @@ struct od_create_object_request {
     std::optional<wire::blob> maximum{};               ///< of the value, as it travels
     std::optional<wire::blob> initial{};               ///< the value at the start, as it travels
     std::optional<wire::blob> default_{};              ///< the value by default, as it travels
+
+    struct schema {
+        using T = od_create_object_request;
+        using type = layout<
+            nested<&T::head>,
+            field<&T::us_index, u16le>,
+            field<&T::b_max_num_of_sub_objs, u8>,
+            field<&T::b_object_code, enumeration<od_object_code, u8>>,
+            field<&T::us_access_flags, bit_set_codec<od_object_flag, u16le>>,
+            bit_fields<u8,
+                bit_field<&T::has_name, 1>,
+                bit_field<&T::has_initial, 1>,
+                bit_field<&T::is_virtual, 1>,
+                bit_field<&T::has_unit, 1>,
+                bit_field<&T::has_default, 1>,
+                bit_field<&T::has_minimum, 1>,
+                bit_field<&T::has_maximum, 1>,
+                bit_field<&T::variable_size, 1>>,
+            field<&T::b_indication_flags, bit_set_codec<od_indication, u8>>,
+            field<&T::us_datatype, enumeration<od_data_type, u16le>>,
+            field<&T::us_access_rights, bit_set_codec<od_access, u16le>>,
+            field<&T::ul_max_field_units, u32le>,
+            field<&T::ul_total_data_bytes, u32le>,
+            gated_by<&T::has_unit, field<&T::unit, u32le>>,
+            gated_by<&T::has_name, string<&T::name, count<"name_length", u32le>>>,
+            gated_by<&T::has_minimum, bytes<&T::minimum, count<"minimum_length", u32le>>>,
+            gated_by<&T::has_maximum, bytes<&T::maximum, count<"maximum_length", u32le>>>,
+            gated_by<&T::has_initial, bytes<&T::initial, count<"initial_length", u32le>>>,
+            gated_by<&T::has_default, bytes<&T::default_, count<"default_length", u32le>>>>;
+    };
 };
 
 /// Answer to it: 42 bytes. ulCmd 0x6A81, ulLen 2; the result is ulSta.
 struct od_create_object_confirmation {
     packet_header head{.ul_len = 2, .ul_cmd = packet_command::od_create_object_cnf};
     std::uint16_t us_index{}; ///< as in the request
+
+    struct schema {
+        using T = od_create_object_confirmation;
+        using type = layout<
+            nested<&T::head>,
+            field<&T::us_index, u16le>>;
+    };
 };
 
 /// Create subobject request: 57 bytes, then abData with ulTotalDataBytes bytes. ulCmd 0x6A82, ulLen 17 + n.
@@ -119,6 +160,34 @@ struct od_create_subobject_request {
     std::optional<wire::blob> maximum{};               ///< of the value, as it travels
     std::optional<wire::blob> initial{};               ///< the value at the start, as it travels
     std::optional<wire::blob> default_{};              ///< the value by default, as it travels
+
+    struct schema {
+        using T = od_create_subobject_request;
+        using type = layout<
+            nested<&T::head>,
+            field<&T::us_index, u16le>,
+            field<&T::b_sub_index, u8>,
+            bit_fields<u8,
+                bit_field<&T::has_name, 1>,
+                bit_field<&T::has_initial, 1>,
+                bit_field<&T::is_virtual, 1>,
+                bit_field<&T::has_unit, 1>,
+                bit_field<&T::has_default, 1>,
+                bit_field<&T::has_minimum, 1>,
+                bit_field<&T::has_maximum, 1>,
+                bit_field<&T::variable_size, 1>>,
+            field<&T::b_indication_flags, bit_set_codec<od_indication, u8>>,
+            field<&T::us_access_rights, bit_set_codec<od_access, u16le>>,
+            field<&T::us_datatype, enumeration<od_data_type, u16le>>,
+            field<&T::ul_max_field_units, u32le>,
+            field<&T::ul_total_data_bytes, u32le>,
+            gated_by<&T::has_unit, field<&T::unit, u32le>>,
+            gated_by<&T::has_name, string<&T::name, count<"name_length", u32le>>>,
+            gated_by<&T::has_minimum, bytes<&T::minimum, count<"minimum_length", u32le>>>,
+            gated_by<&T::has_maximum, bytes<&T::maximum, count<"maximum_length", u32le>>>,
+            gated_by<&T::has_initial, bytes<&T::initial, count<"initial_length", u32le>>>,
+            gated_by<&T::has_default, bytes<&T::default_, count<"default_length", u32le>>>>;
+    };
 };
 
 /// Answer to it: 43 bytes. ulCmd 0x6A83, ulLen 3; the result is ulSta.
@@ -126,6 +195,14 @@ struct od_create_subobject_confirmation {
     packet_header head{.ul_len = 3, .ul_cmd = packet_command::od_create_subobject_cnf};
     std::uint16_t us_index{};   ///< as in the request
     std::uint8_t b_sub_index{}; ///< as in the request
+
+    struct schema {
+        using T = od_create_subobject_confirmation;
+        using type = layout<
+            nested<&T::head>,
+            field<&T::us_index, u16le>,
+            field<&T::b_sub_index, u8>>;
+    };
 };
 
 /// Most bytes of abData in one packet.
@@ -144,82 +221,3 @@ enum class od_status : std::uint32_t {
 };
 
 } // namespace jauscat::hilscher
-
-// One line per field, as in the header files' order.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<hilscher::od_create_object_request> {
-    using T = hilscher::od_create_object_request;
-    using type = layout<
-        nested<&T::head>,
-        field<&T::us_index, u16le>,
-        field<&T::b_max_num_of_sub_objs, u8>,
-        field<&T::b_object_code, enumeration<hilscher::od_object_code, u8>>,
-        field<&T::us_access_flags, bit_set_codec<hilscher::od_object_flag, u16le>>,
-        bit_fields<u8,
-            bit_field<&T::has_name, 1>,
-            bit_field<&T::has_initial, 1>,
-            bit_field<&T::is_virtual, 1>,
-            bit_field<&T::has_unit, 1>,
-            bit_field<&T::has_default, 1>,
-            bit_field<&T::has_minimum, 1>,
-            bit_field<&T::has_maximum, 1>,
-            bit_field<&T::variable_size, 1>>,
-        field<&T::b_indication_flags, bit_set_codec<hilscher::od_indication, u8>>,
-        field<&T::us_datatype, enumeration<hilscher::od_data_type, u16le>>,
-        field<&T::us_access_rights, bit_set_codec<hilscher::od_access, u16le>>,
-        field<&T::ul_max_field_units, u32le>,
-        field<&T::ul_total_data_bytes, u32le>,
-        gated_by<&T::has_unit, field<&T::unit, u32le>>,
-        gated_by<&T::has_name, string<&T::name, count<"name_length", u32le>>>,
-        gated_by<&T::has_minimum, bytes<&T::minimum, count<"minimum_length", u32le>>>,
-        gated_by<&T::has_maximum, bytes<&T::maximum, count<"maximum_length", u32le>>>,
-        gated_by<&T::has_initial, bytes<&T::initial, count<"initial_length", u32le>>>,
-        gated_by<&T::has_default, bytes<&T::default_, count<"default_length", u32le>>>>;
-};
-
-template <> struct wire::schema<hilscher::od_create_object_confirmation> {
-    using T = hilscher::od_create_object_confirmation;
-    using type = layout<
-        nested<&T::head>,
-        field<&T::us_index, u16le>>;
-};
-
-template <> struct wire::schema<hilscher::od_create_subobject_request> {
-    using T = hilscher::od_create_subobject_request;
-    using type = layout<
-        nested<&T::head>,
-        field<&T::us_index, u16le>,
-        field<&T::b_sub_index, u8>,
-        bit_fields<u8,
-            bit_field<&T::has_name, 1>,
-            bit_field<&T::has_initial, 1>,
-            bit_field<&T::is_virtual, 1>,
-            bit_field<&T::has_unit, 1>,
-            bit_field<&T::has_default, 1>,
-            bit_field<&T::has_minimum, 1>,
-            bit_field<&T::has_maximum, 1>,
-            bit_field<&T::variable_size, 1>>,
-        field<&T::b_indication_flags, bit_set_codec<hilscher::od_indication, u8>>,
-        field<&T::us_access_rights, bit_set_codec<hilscher::od_access, u16le>>,
-        field<&T::us_datatype, enumeration<hilscher::od_data_type, u16le>>,
-        field<&T::ul_max_field_units, u32le>,
-        field<&T::ul_total_data_bytes, u32le>,
-        gated_by<&T::has_unit, field<&T::unit, u32le>>,
-        gated_by<&T::has_name, string<&T::name, count<"name_length", u32le>>>,
-        gated_by<&T::has_minimum, bytes<&T::minimum, count<"minimum_length", u32le>>>,
-        gated_by<&T::has_maximum, bytes<&T::maximum, count<"maximum_length", u32le>>>,
-        gated_by<&T::has_initial, bytes<&T::initial, count<"initial_length", u32le>>>,
-        gated_by<&T::has_default, bytes<&T::default_, count<"default_length", u32le>>>>;
-};
-
-template <> struct wire::schema<hilscher::od_create_subobject_confirmation> {
-    using T = hilscher::od_create_subobject_confirmation;
-    using type = layout<
-        nested<&T::head>,
-        field<&T::us_index, u16le>,
-        field<&T::b_sub_index, u8>>;
-};
-
-} // namespace jauscat

@@ -6,7 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::ethercat {
+
+using namespace wire::items;
 
 inline constexpr std::size_t min_mailbox_size = 24;   ///< bytes: sufficient for any SDO response
 inline constexpr std::size_t max_mailbox_size = 1486; ///< bytes: what one datagram carries
@@ -22,6 +26,20 @@ struct mailbox_header {
     std::uint8_t priority{}; ///< 0 (lowest) to 3
     mailbox_type type{};     ///< protocol of what follows
     std::uint8_t counter{};  ///< 1 to 7, another one for each new message; 0: not used
+
+    struct schema {
+        using T = mailbox_header;
+        using type = layout<
+            field<&T::length, u16le>,
+            field<&T::address, u16le>,
+            bit_fields<u8,
+                bit_field<&T::channel, 6>,
+                bit_field<&T::priority, 2>>,
+            bit_fields<u8,
+                bit_field<&T::type, 4>,
+                bit_field<&T::counter, 3>,
+                reserved<1>>>;
+    };
 };
 
 /// Why a slave refused a mailbox message.
@@ -42,33 +60,13 @@ enum class mailbox_error_code : std::uint16_t {
 struct mailbox_error_reply {
     std::uint16_t type{}; ///< 1
     mailbox_error_code code{};
+
+    struct schema {
+        using T = mailbox_error_reply;
+        using type = layout<
+            field<&T::type, u16le>,
+            field<&T::code, enumeration<mailbox_error_code, u16le>>>;
+    };
 };
 
 } // namespace jauscat::ethercat
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<ethercat::mailbox_header> {
-    using T = ethercat::mailbox_header;
-    using type = layout<
-        field<&T::length, u16le>,
-        field<&T::address, u16le>,
-        bit_fields<u8,
-            bit_field<&T::channel, 6>,
-            bit_field<&T::priority, 2>>,
-        bit_fields<u8,
-            bit_field<&T::type, 4>,
-            bit_field<&T::counter, 3>,
-            reserved<1>>>;
-};
-
-template <> struct wire::schema<ethercat::mailbox_error_reply> {
-    using T = ethercat::mailbox_error_reply;
-    using type = layout<
-        field<&T::type, u16le>,
-        field<&T::code, enumeration<ethercat::mailbox_error_code, u16le>>>;
-};
-
-} // namespace jauscat

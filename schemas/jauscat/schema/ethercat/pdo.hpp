@@ -5,27 +5,25 @@
 
 #include <cstdint>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::ethercat {
+
+using namespace wire::items;
 
 /// One mapped object, 4 bytes: as a number index << 16 | subindex << 8 | bits.
 struct pdo_mapping {
     std::uint8_t bits{};     ///< of its value
     std::uint8_t subindex{}; ///< of the object
     std::uint16_t index{};   ///< 0: a gap
+
+    struct schema {
+        using T = pdo_mapping;
+        using type = layout<
+            field<&T::bits, u8>,
+            field<&T::subindex, u8>,
+            field<&T::index, u16le>>;
+    };
 };
 
 } // namespace jauscat::ethercat
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<ethercat::pdo_mapping> {
-    using T = ethercat::pdo_mapping;
-    using type = layout<
-        field<&T::bits, u8>,
-        field<&T::subindex, u8>,
-        field<&T::index, u16le>>;
-};
-
-} // namespace jauscat

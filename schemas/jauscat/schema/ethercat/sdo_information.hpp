@@ -7,7 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::ethercat {
+
+using namespace wire::items;
 
 /// Service of an SDO information message.
 enum class sdo_information_opcode : std::uint8_t {
@@ -25,11 +29,26 @@ struct sdo_information_header {
     sdo_information_opcode opcode{}; ///< request or answer of which kind
     bool incomplete{};               ///< more fragments follow
     std::uint16_t fragments_left{};  ///< how many
+
+    struct schema {
+        using T = sdo_information_header;
+        using type = layout<
+            bit_fields<u8,
+                bit_field<&T::opcode, 7>,
+                bit_field<&T::incomplete, 1>>,
+            bit_fields<u8, reserved<8>>,
+            field<&T::fragments_left, u16le>>;
+    };
 };
 
 /// Follows the header if the slave refuses to answer, 4 bytes.
 struct sdo_information_error {
     abort_code code{}; ///< why
+
+    struct schema {
+        using T = sdo_information_error;
+        using type = layout<field<&T::code, enumeration<abort_code, u32le>>>;
+    };
 };
 
 /// Which objects a list names.
@@ -45,6 +64,11 @@ enum class object_list_type : std::uint16_t {
 /// List request, and the first 2 bytes of its response; in the first fragment the indices follow, 2 bytes each.
 struct object_list {
     object_list_type type{}; ///< which objects
+
+    struct schema {
+        using T = object_list;
+        using type = layout<field<&T::type, enumeration<object_list_type, u16le>>>;
+    };
 };
 
 /// What an object is made of.
@@ -53,6 +77,11 @@ enum class object_code : std::uint8_t { variable = 7, array = 8, record = 9 };
 /// Object description request, 2 bytes.
 struct object_query {
     std::uint16_t index{}; ///< of the object
+
+    struct schema {
+        using T = object_query;
+        using type = layout<field<&T::index, u16le>>;
+    };
 };
 
 /// Object description response, 6 bytes; the object's name follows.
@@ -61,6 +90,15 @@ struct object_answer {
     std::uint16_t data_type{};       ///< of a variable's value, of an array's elements
     std::uint8_t highest_subindex{}; ///< of the object
     object_code code{};              ///< variable, array or record
+
+    struct schema {
+        using T = object_answer;
+        using type = layout<
+            field<&T::index, u16le>,
+            field<&T::data_type, u16le>,
+            field<&T::highest_subindex, u8>,
+            field<&T::code, enumeration<object_code, u8>>>;
+    };
 };
 
 /// Entry description request, 4 bytes.
@@ -68,6 +106,14 @@ struct entry_query {
     std::uint16_t index{};     ///< of the object
     std::uint8_t subindex{};   ///< of the entry
     std::uint8_t value_info{}; ///< bits: 0 access, 1 category, 2 PDO mapping, 3 unit, 4 default, 5 minimum, 6 maximum
+
+    struct schema {
+        using T = entry_query;
+        using type = layout<
+            field<&T::index, u16le>,
+            field<&T::subindex, u8>,
+            field<&T::value_info, u8>>;
+    };
 };
 
 /// Permitted accesses to an entry, by state.
@@ -82,6 +128,23 @@ struct entry_access {
     bool tx_pdo{};        ///< can be mapped into inputs
     bool backup{};        ///< is kept by the backup of a device that gets replaced
     bool setting{};       ///< is one of the device's settings
+
+    struct schema {
+        using T = entry_access;
+        using type = layout<
+            bit_fields<u16le,
+                bit_field<&T::read_pre_op, 1>,
+                bit_field<&T::read_safe_op, 1>,
+                bit_field<&T::read_op, 1>,
+                bit_field<&T::write_pre_op, 1>,
+                bit_field<&T::write_safe_op, 1>,
+                bit_field<&T::write_op, 1>,
+                bit_field<&T::rx_pdo, 1>,
+                bit_field<&T::tx_pdo, 1>,
+                bit_field<&T::backup, 1>,
+                bit_field<&T::setting, 1>,
+                reserved<6>>>;
+    };
 };
 
 /// Entry description response, 10 bytes; the values that `value_info` names follow, and then the entry's name.
@@ -92,82 +155,17 @@ struct entry_answer {
     std::uint16_t data_type{}; ///< of its value, as in ETG.1000.6
     std::uint16_t bits{};      ///< size of the entry
     entry_access access{};     ///< permitted accesses, by state
+
+    struct schema {
+        using T = entry_answer;
+        using type = layout<
+            field<&T::index, u16le>,
+            field<&T::subindex, u8>,
+            field<&T::value_info, u8>,
+            field<&T::data_type, u16le>,
+            field<&T::bits, u16le>,
+            nested<&T::access>>;
+    };
 };
 
 } // namespace jauscat::ethercat
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<ethercat::sdo_information_header> {
-    using T = ethercat::sdo_information_header;
-    using type = layout<
-        bit_fields<u8,
-            bit_field<&T::opcode, 7>,
-            bit_field<&T::incomplete, 1>>,
-        bit_fields<u8, reserved<8>>,
-        field<&T::fragments_left, u16le>>;
-};
-
-template <> struct wire::schema<ethercat::sdo_information_error> {
-    using T = ethercat::sdo_information_error;
-    using type = layout<field<&T::code, enumeration<ethercat::abort_code, u32le>>>;
-};
-
-template <> struct wire::schema<ethercat::object_list> {
-    using T = ethercat::object_list;
-    using type = layout<field<&T::type, enumeration<ethercat::object_list_type, u16le>>>;
-};
-
-template <> struct wire::schema<ethercat::object_query> {
-    using T = ethercat::object_query;
-    using type = layout<field<&T::index, u16le>>;
-};
-
-template <> struct wire::schema<ethercat::object_answer> {
-    using T = ethercat::object_answer;
-    using type = layout<
-        field<&T::index, u16le>,
-        field<&T::data_type, u16le>,
-        field<&T::highest_subindex, u8>,
-        field<&T::code, enumeration<ethercat::object_code, u8>>>;
-};
-
-template <> struct wire::schema<ethercat::entry_query> {
-    using T = ethercat::entry_query;
-    using type = layout<
-        field<&T::index, u16le>,
-        field<&T::subindex, u8>,
-        field<&T::value_info, u8>>;
-};
-
-template <> struct wire::schema<ethercat::entry_access> {
-    using T = ethercat::entry_access;
-    using type = layout<
-        bit_fields<u16le,
-            bit_field<&T::read_pre_op, 1>,
-            bit_field<&T::read_safe_op, 1>,
-            bit_field<&T::read_op, 1>,
-            bit_field<&T::write_pre_op, 1>,
-            bit_field<&T::write_safe_op, 1>,
-            bit_field<&T::write_op, 1>,
-            bit_field<&T::rx_pdo, 1>,
-            bit_field<&T::tx_pdo, 1>,
-            bit_field<&T::backup, 1>,
-            bit_field<&T::setting, 1>,
-            reserved<6>>>;
-};
-
-template <> struct wire::schema<ethercat::entry_answer> {
-    using T = ethercat::entry_answer;
-    using type = layout<
-        field<&T::index, u16le>,
-        field<&T::subindex, u8>,
-        field<&T::value_info, u8>,
-        field<&T::data_type, u16le>,
-        field<&T::bits, u16le>,
-        nested<&T::access>>;
-};
-
-} // namespace jauscat

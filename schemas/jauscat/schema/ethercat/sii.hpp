@@ -7,7 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::ethercat {
+
+using namespace wire::items;
 
 /// Word addresses of the fixed part, and of the first category.
 namespace sii_words {
@@ -28,6 +32,18 @@ struct sii_configuration {
     std::uint16_t station_alias{};       ///< a second station address; 0: none
     std::array<std::byte, 4> gap{};      ///< reserved
     std::uint16_t checksum{};            ///< low byte: CRC-8 of the 14 bytes before it, polynomial 0x07, start 0xFF
+
+    struct schema {
+        using T = sii_configuration;
+        using type = layout<
+            field<&T::pdi_control, u16le>,
+            field<&T::pdi_configuration, u16le>,
+            field<&T::sync_impulse_length, u16le>,
+            field<&T::pdi_configuration_2, u16le>,
+            field<&T::station_alias, u16le>,
+            field<&T::gap, octets<4>>,
+            field<&T::checksum, u16le>>;
+    };
 };
 
 /// Bytes of words 0x00 to 0x06: covered by the checksum, and copied to an ESI file.
@@ -39,6 +55,15 @@ struct sii_identity {
     std::uint32_t product{};  ///< the vendor's product code; object 1018h:2
     std::uint32_t revision{}; ///< object 1018h:3
     std::uint32_t serial{};   ///< object 1018h:4
+
+    struct schema {
+        using T = sii_identity;
+        using type = layout<
+            field<&T::vendor, u32le>,
+            field<&T::product, u32le>,
+            field<&T::revision, u32le>,
+            field<&T::serial, u32le>>;
+    };
 };
 
 /// Words 0x18 to 0x1C: the standard mailbox, 10 bytes.
@@ -53,12 +78,36 @@ struct sii_mailbox {
     bool foe{};                     ///< file access over EtherCAT
     bool soe{};                     ///< servo drive profile over EtherCAT
     bool voe{};                     ///< the vendor's own
+
+    struct schema {
+        using T = sii_mailbox;
+        using type = layout<
+            field<&T::receive_offset, u16le>,
+            field<&T::receive_size, u16le>,
+            field<&T::send_offset, u16le>,
+            field<&T::send_size, u16le>,
+            bit_fields<u16le,
+                bit_field<&T::aoe, 1>,
+                bit_field<&T::eoe, 1>,
+                bit_field<&T::coe, 1>,
+                bit_field<&T::foe, 1>,
+                bit_field<&T::soe, 1>,
+                bit_field<&T::voe, 1>,
+                reserved<10>>>;
+    };
 };
 
 /// Words 0x3E and 0x3F, 4 bytes.
 struct sii_size {
     std::uint16_t kibit{};   ///< size of the memory in Kibit, less 1
     std::uint16_t version{}; ///< 1
+
+    struct schema {
+        using T = sii_size;
+        using type = layout<
+            field<&T::kibit, u16le>,
+            field<&T::version, u16le>>;
+    };
 };
 
 /// Kinds of categories.
@@ -77,6 +126,13 @@ enum class sii_category : std::uint16_t {
 struct sii_category_header {
     sii_category category{}; ///< what the data are
     std::uint16_t words{};   ///< length of the data
+
+    struct schema {
+        using T = sii_category_header;
+        using type = layout<
+            field<&T::category, enumeration<sii_category, u16le>>,
+            field<&T::words, u16le>>;
+    };
 };
 
 /// Category general, 32 bytes.
@@ -100,6 +156,32 @@ struct sii_general {
     std::array<std::byte, 2> gap_2{};  ///< reserved
     std::uint16_t ports{};             ///< 4 bits per port: 0 none, 1 MII, 3 EBUS
     std::array<std::byte, 14> gap_3{}; ///< reserved
+
+    struct schema {
+        using T = sii_general;
+        using type = layout<
+            field<&T::group, u8>,
+            field<&T::image, u8>,
+            field<&T::order, u8>,
+            field<&T::name, u8>,
+            field<&T::gap, u8>,
+            bit_fields<u8,
+                bit_field<&T::sdo, 1>,
+                bit_field<&T::sdo_information, 1>,
+                bit_field<&T::pdo_assign, 1>,
+                bit_field<&T::pdo_configuration, 1>,
+                bit_field<&T::upload_at_start, 1>,
+                bit_field<&T::complete_access, 1>,
+                reserved<2>>,
+            field<&T::foe, u8>,
+            field<&T::eoe, u8>,
+            field<&T::soe, octets<3>>,
+            field<&T::flags, u8>,
+            field<&T::ebus_current, i16le>,
+            field<&T::gap_2, octets<2>>,
+            field<&T::ports, u16le>,
+            field<&T::gap_3, octets<14>>>;
+    };
 };
 
 /// What a SyncManager of category SyncM is for.
@@ -113,6 +195,17 @@ struct sii_sync_manager {
     std::uint8_t status{};      ///< not used
     std::uint8_t enable{};      ///< bit 0: enabled
     sii_sync_manager_use use{}; ///< what it is for
+
+    struct schema {
+        using T = sii_sync_manager;
+        using type = layout<
+            field<&T::start, u16le>,
+            field<&T::length, u16le>,
+            field<&T::control, u8>,
+            field<&T::status, u8>,
+            field<&T::enable, u8>,
+            field<&T::use, enumeration<sii_sync_manager_use, u8>>>;
+    };
 };
 
 /// What an FMMU of category FMMU is for: one byte each, in the order of the FMMUs.
@@ -126,6 +219,17 @@ struct sii_pdo {
     std::uint8_t synchronization{}; ///< number of a DC setting
     std::uint8_t name{};            ///< index of a string
     std::uint16_t flags{};          ///< such as: mandatory, fixed
+
+    struct schema {
+        using T = sii_pdo;
+        using type = layout<
+            field<&T::index, u16le>,
+            field<&T::entries, u8>,
+            field<&T::sync_manager, u8>,
+            field<&T::synchronization, u8>,
+            field<&T::name, u8>,
+            field<&T::flags, u16le>>;
+    };
 };
 
 /// One entry of a PDO, 8 bytes.
@@ -136,6 +240,17 @@ struct sii_pdo_entry {
     std::uint8_t data_type{}; ///< of `data_types`
     std::uint8_t bits{};      ///< of its value
     std::uint16_t flags{};    ///< reserved
+
+    struct schema {
+        using T = sii_pdo_entry;
+        using type = layout<
+            field<&T::index, u16le>,
+            field<&T::subindex, u8>,
+            field<&T::name, u8>,
+            field<&T::data_type, u8>,
+            field<&T::bits, u8>,
+            field<&T::flags, u16le>>;
+    };
 };
 
 /// One mode of category DC, 24 bytes: how a distributed clock may synchronize the slave.
@@ -149,137 +264,20 @@ struct sii_clock_mode {
     std::uint8_t name{};             ///< index of a string
     std::uint8_t description{};      ///< index of a string
     std::array<std::byte, 4> gap{};  ///< reserved
+
+    struct schema {
+        using T = sii_clock_mode;
+        using type = layout<
+            field<&T::cycle_time_0, u32le>,
+            field<&T::shift_time_0, i32le>,
+            field<&T::shift_time_1, i32le>,
+            field<&T::cycle_factor_1, i16le>,
+            field<&T::assign_activate, u16le>,
+            field<&T::cycle_factor_0, i16le>,
+            field<&T::name, u8>,
+            field<&T::description, u8>,
+            field<&T::gap, octets<4>>>;
+    };
 };
 
 } // namespace jauscat::ethercat
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<ethercat::sii_configuration> {
-    using T = ethercat::sii_configuration;
-    using type = layout<
-        field<&T::pdi_control, u16le>,
-        field<&T::pdi_configuration, u16le>,
-        field<&T::sync_impulse_length, u16le>,
-        field<&T::pdi_configuration_2, u16le>,
-        field<&T::station_alias, u16le>,
-        field<&T::gap, octets<4>>,
-        field<&T::checksum, u16le>>;
-};
-
-template <> struct wire::schema<ethercat::sii_identity> {
-    using T = ethercat::sii_identity;
-    using type = layout<
-        field<&T::vendor, u32le>,
-        field<&T::product, u32le>,
-        field<&T::revision, u32le>,
-        field<&T::serial, u32le>>;
-};
-
-template <> struct wire::schema<ethercat::sii_mailbox> {
-    using T = ethercat::sii_mailbox;
-    using type = layout<
-        field<&T::receive_offset, u16le>,
-        field<&T::receive_size, u16le>,
-        field<&T::send_offset, u16le>,
-        field<&T::send_size, u16le>,
-        bit_fields<u16le,
-            bit_field<&T::aoe, 1>,
-            bit_field<&T::eoe, 1>,
-            bit_field<&T::coe, 1>,
-            bit_field<&T::foe, 1>,
-            bit_field<&T::soe, 1>,
-            bit_field<&T::voe, 1>,
-            reserved<10>>>;
-};
-
-template <> struct wire::schema<ethercat::sii_size> {
-    using T = ethercat::sii_size;
-    using type = layout<
-        field<&T::kibit, u16le>,
-        field<&T::version, u16le>>;
-};
-
-template <> struct wire::schema<ethercat::sii_category_header> {
-    using T = ethercat::sii_category_header;
-    using type = layout<
-        field<&T::category, enumeration<ethercat::sii_category, u16le>>,
-        field<&T::words, u16le>>;
-};
-
-template <> struct wire::schema<ethercat::sii_general> {
-    using T = ethercat::sii_general;
-    using type = layout<
-        field<&T::group, u8>,
-        field<&T::image, u8>,
-        field<&T::order, u8>,
-        field<&T::name, u8>,
-        field<&T::gap, u8>,
-        bit_fields<u8,
-            bit_field<&T::sdo, 1>,
-            bit_field<&T::sdo_information, 1>,
-            bit_field<&T::pdo_assign, 1>,
-            bit_field<&T::pdo_configuration, 1>,
-            bit_field<&T::upload_at_start, 1>,
-            bit_field<&T::complete_access, 1>,
-            reserved<2>>,
-        field<&T::foe, u8>,
-        field<&T::eoe, u8>,
-        field<&T::soe, octets<3>>,
-        field<&T::flags, u8>,
-        field<&T::ebus_current, i16le>,
-        field<&T::gap_2, octets<2>>,
-        field<&T::ports, u16le>,
-        field<&T::gap_3, octets<14>>>;
-};
-
-template <> struct wire::schema<ethercat::sii_sync_manager> {
-    using T = ethercat::sii_sync_manager;
-    using type = layout<
-        field<&T::start, u16le>,
-        field<&T::length, u16le>,
-        field<&T::control, u8>,
-        field<&T::status, u8>,
-        field<&T::enable, u8>,
-        field<&T::use, enumeration<ethercat::sii_sync_manager_use, u8>>>;
-};
-
-template <> struct wire::schema<ethercat::sii_pdo> {
-    using T = ethercat::sii_pdo;
-    using type = layout<
-        field<&T::index, u16le>,
-        field<&T::entries, u8>,
-        field<&T::sync_manager, u8>,
-        field<&T::synchronization, u8>,
-        field<&T::name, u8>,
-        field<&T::flags, u16le>>;
-};
-
-template <> struct wire::schema<ethercat::sii_pdo_entry> {
-    using T = ethercat::sii_pdo_entry;
-    using type = layout<
-        field<&T::index, u16le>,
-        field<&T::subindex, u8>,
-        field<&T::name, u8>,
-        field<&T::data_type, u8>,
-        field<&T::bits, u8>,
-        field<&T::flags, u16le>>;
-};
-
-template <> struct wire::schema<ethercat::sii_clock_mode> {
-    using T = ethercat::sii_clock_mode;
-    using type = layout<
-        field<&T::cycle_time_0, u32le>,
-        field<&T::shift_time_0, i32le>,
-        field<&T::shift_time_1, i32le>,
-        field<&T::cycle_factor_1, i16le>,
-        field<&T::assign_activate, u16le>,
-        field<&T::cycle_factor_0, i16le>,
-        field<&T::name, u8>,
-        field<&T::description, u8>,
-        field<&T::gap, octets<4>>>;
-};
-
-} // namespace jauscat

@@ -25,8 +25,8 @@ concept coded_message = wire::message<T> && requires {
 template <class T> concept uncoded_type = !coded_message<T>;
 /// The sentence.
 template <class T> consteval void refuse_uncoded_type() noexcept {
-    static_assert(wire::message<T>,
-                  "the type has no schema: specialise jauscat::wire::schema for it, with its layout as type");
+    static_assert(wire::message<T>, "the type has no schema: give it a struct schema with its layout as type, or "
+                                    "specialise jauscat::wire::schema for it");
     static_assert(!wire::message<T>,
                   "the message has no command code: add it to its jauscat::wire::schema, as command_code");
 }

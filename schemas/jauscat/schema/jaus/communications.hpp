@@ -2,7 +2,11 @@
 #pragma once
 #include <jauscat/wire/schema.hpp>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::jaus {
+
+using namespace wire::items;
 
 /// State of a data link. Other values are not assigned.
 enum class data_link_state : std::uint8_t {
@@ -17,6 +21,12 @@ enum class data_link_state : std::uint8_t {
 struct set_data_link_state {
     data_link_state state{}; ///< the wanted state
     friend constexpr bool operator==(const set_data_link_state&, const set_data_link_state&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0200;
+        using T = set_data_link_state;
+        using type = layout<field<&T::state, enumeration<data_link_state, u8>>>;
+    };
 };
 
 /// Set Data Link Select: selects the data link to be used.
@@ -24,6 +34,12 @@ struct set_data_link_state {
 struct set_data_link_select {
     std::uint8_t data_link_id{}; ///< which data link
     friend constexpr bool operator==(const set_data_link_select&, const set_data_link_select&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0201;
+        using T = set_data_link_select;
+        using type = layout<field<&T::data_link_id, u8>>;
+    };
 };
 
 /// Set Selected Data Link State: switches one of several data links.
@@ -33,6 +49,14 @@ struct set_selected_data_link_state {
     data_link_state state{};     ///< the wanted state
     friend constexpr bool operator==(const set_selected_data_link_state&,
                                      const set_selected_data_link_state&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0202;
+        using T = set_selected_data_link_state;
+        using type = layout<
+            field<&T::data_link_id, u8>,
+            field<&T::state, enumeration<data_link_state, u8>>>;
+    };
 };
 
 /// Query Data Link Status: asks for Report Data Link Status.
@@ -40,6 +64,13 @@ struct set_selected_data_link_state {
 struct query_data_link_status {
     std::uint8_t data_link_id{}; ///< which data link
     friend constexpr bool operator==(const query_data_link_status&, const query_data_link_status&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2200;
+        using report = struct report_data_link_status;
+        using T = query_data_link_status;
+        using type = layout<field<&T::data_link_id, u8>>;
+    };
 };
 
 /// Query Selected Data Link Status: asks for Report Selected Data Link Status.
@@ -47,12 +78,24 @@ struct query_data_link_status {
 struct query_selected_data_link_status {
     friend constexpr bool operator==(const query_selected_data_link_status&,
                                      const query_selected_data_link_status&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2201;
+        using report = struct report_selected_data_link_status;
+        using type = layout<>;
+    };
 };
 
 /// Query Heartbeat Pulse: asks for Report Heartbeat Pulse.
 /// Code 2202h, query class, no body.
 struct query_heartbeat_pulse {
     friend constexpr bool operator==(const query_heartbeat_pulse&, const query_heartbeat_pulse&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2202;
+        using report = struct report_heartbeat_pulse;
+        using type = layout<>;
+    };
 };
 
 /// Report Data Link Status: the state of a data link.
@@ -61,6 +104,15 @@ struct report_data_link_status {
     std::uint8_t data_link_id{}; ///< which data link
     data_link_state state{};     ///< the state it is in
     friend constexpr bool operator==(const report_data_link_status&, const report_data_link_status&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4200;
+        using query = query_data_link_status;
+        using T = report_data_link_status;
+        using type = layout<
+            field<&T::data_link_id, u8>,
+            field<&T::state, enumeration<data_link_state, u8>>>;
+    };
 };
 
 /// Report Selected Data Link Status: which data link is in use.
@@ -69,76 +121,25 @@ struct report_selected_data_link_status {
     std::uint8_t data_link_id{}; ///< the selected data link
     friend constexpr bool operator==(const report_selected_data_link_status&,
                                      const report_selected_data_link_status&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4201;
+        using query = query_selected_data_link_status;
+        using T = report_selected_data_link_status;
+        using type = layout<field<&T::data_link_id, u8>>;
+    };
 };
 
 /// Report Heartbeat Pulse: the sender is alive; sent once a second.
 /// Code 4202h, inform class, no body.
 struct report_heartbeat_pulse {
     friend constexpr bool operator==(const report_heartbeat_pulse&, const report_heartbeat_pulse&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4202;
+        using query = query_heartbeat_pulse;
+        using type = layout<>;
+    };
 };
 
 } // namespace jauscat::jaus
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<jaus::set_data_link_state> {
-    static constexpr std::uint16_t command_code = 0x0200;
-    using T = jaus::set_data_link_state;
-    using type = layout<field<&T::state, enumeration<jaus::data_link_state, u8>>>;
-};
-
-template <> struct wire::schema<jaus::set_data_link_select> {
-    static constexpr std::uint16_t command_code = 0x0201;
-    using T = jaus::set_data_link_select;
-    using type = layout<field<&T::data_link_id, u8>>;
-};
-
-template <> struct wire::schema<jaus::set_selected_data_link_state> {
-    static constexpr std::uint16_t command_code = 0x0202;
-    using T = jaus::set_selected_data_link_state;
-    using type = layout<
-        field<&T::data_link_id, u8>,
-        field<&T::state, enumeration<jaus::data_link_state, u8>>>;
-};
-
-template <> struct wire::schema<jaus::query_data_link_status> {
-    static constexpr std::uint16_t command_code = 0x2200;
-    using report = jaus::report_data_link_status;
-    using T = jaus::query_data_link_status;
-    using type = layout<field<&T::data_link_id, u8>>;
-};
-
-template <> struct wire::schema<jaus::query_selected_data_link_status> {
-    static constexpr std::uint16_t command_code = 0x2201;
-    using report = jaus::report_selected_data_link_status;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::query_heartbeat_pulse> {
-    static constexpr std::uint16_t command_code = 0x2202;
-    using report = jaus::report_heartbeat_pulse;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::report_data_link_status> {
-    static constexpr std::uint16_t command_code = 0x4200;
-    using query = jaus::query_data_link_status;
-    using T = jaus::report_data_link_status;
-    using type = layout<
-        field<&T::data_link_id, u8>,
-        field<&T::state, enumeration<jaus::data_link_state, u8>>>;
-};
-
-template <> struct wire::schema<jaus::report_selected_data_link_status> {
-    static constexpr std::uint16_t command_code = 0x4201;
-    using query = jaus::query_selected_data_link_status;
-    using T = jaus::report_selected_data_link_status;
-    using type = layout<field<&T::data_link_id, u8>>;
-};
-
-template <> struct wire::schema<jaus::report_heartbeat_pulse> {
-    static constexpr std::uint16_t command_code = 0x4202;
-    using query = jaus::query_heartbeat_pulse;
-    using type = layout<>; };
-
-} // namespace jauscat

@@ -4,37 +4,67 @@
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/wire/schema.hpp>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::jaus {
+
+using namespace wire::items;
 
 /// Set Component Authority: sets the authority of the receiving component.
 /// Code 0001h, command class, 1 byte.
 struct set_component_authority {
     std::uint8_t authority_code{}; ///< 0 lowest to 255 highest
     friend constexpr bool operator==(const set_component_authority&, const set_component_authority&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0001;
+        using T = set_component_authority;
+        using type = layout<field<&T::authority_code, u8>>;
+    };
 };
 
 /// Shutdown: ends the receiving component's work and frees what it holds.
 /// Code 0002h, command class, no body.
 struct shutdown {
     friend constexpr bool operator==(const shutdown&, const shutdown&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0002;
+        using type = layout<>;
+    };
 };
 
 /// Standby: takes the receiving component to its standby state.
 /// Code 0003h, command class, no body.
 struct standby {
     friend constexpr bool operator==(const standby&, const standby&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0003;
+        using type = layout<>;
+    };
 };
 
 /// Resume: takes the receiving component from standby back to its ready state.
 /// Code 0004h, command class, no body.
 struct resume {
     friend constexpr bool operator==(const resume&, const resume&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0004;
+        using type = layout<>;
+    };
 };
 
 /// Reset: restarts the receiving component.
 /// Code 0005h, command class, no body.
 struct reset {
     friend constexpr bool operator==(const reset&, const reset&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0005;
+        using type = layout<>;
+    };
 };
 
 /// Emergency Code of Set Emergency, by bit.
@@ -47,6 +77,12 @@ enum class set_emergency_code : std::uint16_t {
 struct set_emergency {
     wire::bit_set<set_emergency_code> emergency_code{}; ///< bits 1 to 15 are unassigned, sent as zero
     friend constexpr bool operator==(const set_emergency&, const set_emergency&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0006;
+        using T = set_emergency;
+        using type = layout<field<&T::emergency_code, bit_set_codec<set_emergency_code, u16le>>>;
+    };
 };
 
 /// Emergency Code of Clear Emergency, by bit.
@@ -59,6 +95,12 @@ enum class clear_emergency_code : std::uint16_t {
 struct clear_emergency {
     wire::bit_set<clear_emergency_code> emergency_code{}; ///< bits 1 to 15 are unassigned, sent as zero
     friend constexpr bool operator==(const clear_emergency&, const clear_emergency&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0007;
+        using T = clear_emergency;
+        using type = layout<field<&T::emergency_code, bit_set_codec<clear_emergency_code, u16le>>>;
+    };
 };
 
 /// Create Service Connection: asks for a report to be sent periodically.
@@ -68,6 +110,15 @@ struct create_service_connection {
     double requested_periodic_update_rate{};   ///< hertz, 0 to 1092
     std::uint32_t requested_presence_vector{}; ///< wanted fields; shorter vectors are in the low bits
     friend constexpr bool operator==(const create_service_connection&, const create_service_connection&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0008;
+        using T = create_service_connection;
+        using type = layout<
+            field<&T::command_code, u16le>,
+            field<&T::requested_periodic_update_rate, scaled<u16le, update_rate>>,
+            field<&T::requested_presence_vector, u32le>>;
+    };
 };
 
 /// Response Code of Confirm Service Connection.
@@ -89,6 +140,16 @@ struct confirm_service_connection {
     double confirmed_periodic_update_rate{};     ///< hertz, 0 to 1092
     service_connection_response response_code{}; ///< created, or why not
     friend constexpr bool operator==(const confirm_service_connection&, const confirm_service_connection&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0009;
+        using T = confirm_service_connection;
+        using type = layout<
+            field<&T::command_code, u16le>,
+            field<&T::instance_id, u8>,
+            field<&T::confirmed_periodic_update_rate, scaled<u16le, update_rate>>,
+            field<&T::response_code, enumeration<service_connection_response, u8>>>;
+    };
 };
 
 /// Activate Service Connection: makes a suspended connection send again.
@@ -97,6 +158,14 @@ struct activate_service_connection {
     std::uint16_t command_code{}; ///< the connected report
     std::uint8_t instance_id{};   ///< the service connection, as the confirmation numbered it
     friend constexpr bool operator==(const activate_service_connection&, const activate_service_connection&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x000A;
+        using T = activate_service_connection;
+        using type = layout<
+            field<&T::command_code, u16le>,
+            field<&T::instance_id, u8>>;
+    };
 };
 
 /// Suspend Service Connection: makes a connection pause.
@@ -105,6 +174,14 @@ struct suspend_service_connection {
     std::uint16_t command_code{}; ///< the connected report
     std::uint8_t instance_id{};   ///< the service connection, as the confirmation numbered it
     friend constexpr bool operator==(const suspend_service_connection&, const suspend_service_connection&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x000B;
+        using T = suspend_service_connection;
+        using type = layout<
+            field<&T::command_code, u16le>,
+            field<&T::instance_id, u8>>;
+    };
 };
 
 /// Terminate Service Connection: ends a connection.
@@ -114,6 +191,14 @@ struct terminate_service_connection {
     std::uint8_t instance_id{};   ///< the service connection, as the confirmation numbered it
     friend constexpr bool operator==(const terminate_service_connection&,
                                      const terminate_service_connection&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x000C;
+        using T = terminate_service_connection;
+        using type = layout<
+            field<&T::command_code, u16le>,
+            field<&T::instance_id, u8>>;
+    };
 };
 
 /// Request Component Control: asks for sole control of the receiving component.
@@ -121,12 +206,23 @@ struct terminate_service_connection {
 struct request_component_control {
     std::uint8_t authority_code{}; ///< the sender's; 0 lowest to 255 highest
     friend constexpr bool operator==(const request_component_control&, const request_component_control&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x000D;
+        using T = request_component_control;
+        using type = layout<field<&T::authority_code, u8>>;
+    };
 };
 
 /// Release Component Control: ends the control of the sender.
 /// Code 000Eh, command class, no body.
 struct release_component_control {
     friend constexpr bool operator==(const release_component_control&, const release_component_control&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x000E;
+        using type = layout<>;
+    };
 };
 
 /// Response Code of Confirm Component Control.
@@ -141,12 +237,26 @@ enum class component_control_response : std::uint8_t {
 struct confirm_component_control {
     component_control_response response_code{}; ///< granted, or why not
     friend constexpr bool operator==(const confirm_component_control&, const confirm_component_control&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x000F;
+        using T = confirm_component_control;
+        using type = layout<
+            bit_fields<u8,
+                bit_field<&T::response_code, 2>,
+                reserved<6>>>;
+    };
 };
 
 /// Reject Component Control: notifies a component that it does not, or no longer, control the sender.
 /// Code 0010h, command class, no body.
 struct reject_component_control {
     friend constexpr bool operator==(const reject_component_control&, const reject_component_control&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0010;
+        using type = layout<>;
+    };
 };
 
 /// Set Time: sets the receiving component's clock.
@@ -155,24 +265,51 @@ struct set_time {
     std::optional<jaus::time_stamp> time_stamp{}; ///< time of day, day of the month
     std::optional<jaus::date_stamp> date_stamp{}; ///< day, month, year
     friend constexpr bool operator==(const set_time&, const set_time&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0011;
+        using T = set_time;
+        using type = layout<
+            presence<u8,
+                nested<&T::time_stamp>,
+                nested<&T::date_stamp>>>;
+    };
 };
 
 /// Query Component Authority: asks for Report Component Authority.
 /// Code 2001h, query class, no body.
 struct query_component_authority {
     friend constexpr bool operator==(const query_component_authority&, const query_component_authority&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2001;
+        using report = struct report_component_authority;
+        using type = layout<>;
+    };
 };
 
 /// Query Component Status: asks for Report Component Status.
 /// Code 2002h, query class, no body.
 struct query_component_status {
     friend constexpr bool operator==(const query_component_status&, const query_component_status&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2002;
+        using report = struct report_component_status;
+        using type = layout<>;
+    };
 };
 
 /// Query Component Control: asks for Report Component Control.
 /// Code 200Dh, query class, no body.
 struct query_component_control {
     friend constexpr bool operator==(const query_component_control&, const query_component_control&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x200D;
+        using report = struct report_component_control;
+        using type = layout<>;
+    };
 };
 
 /// Query Time: asks for Report Time.
@@ -180,6 +317,13 @@ struct query_component_control {
 struct query_time {
     std::uint8_t presence_vector{}; ///< the requested fields of Report Time
     friend constexpr bool operator==(const query_time&, const query_time&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2011;
+        using report = struct report_time;
+        using T = query_time;
+        using type = layout<field<&T::presence_vector, u8>>;
+    };
 };
 
 /// Report Component Authority: the authority that the component acts with.
@@ -187,6 +331,13 @@ struct query_time {
 struct report_component_authority {
     std::uint8_t authority_code{}; ///< 0 lowest to 255 highest
     friend constexpr bool operator==(const report_component_authority&, const report_component_authority&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4001;
+        using query = query_component_authority;
+        using T = report_component_authority;
+        using type = layout<field<&T::authority_code, u8>>;
+    };
 };
 
 /// Primary Status Code of Report Component Status. Other values are not assigned.
@@ -205,6 +356,15 @@ struct report_component_status {
     jaus::primary_status_code primary_status_code{}; ///< the component's state
     std::uint32_t secondary_status_code{};           ///< 32 bits of the component's own meaning
     friend constexpr bool operator==(const report_component_status&, const report_component_status&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4002;
+        using query = query_component_status;
+        using T = report_component_status;
+        using type = layout<
+            field<&T::primary_status_code, enumeration<jaus::primary_status_code, u8>>,
+            field<&T::secondary_status_code, u32le>>;
+    };
 };
 
 /// Report Component Control: the controller of the component; all zero if there is none.
@@ -216,6 +376,18 @@ struct report_component_control {
     std::uint8_t instance_id{};    ///< of the controlling component
     std::uint8_t authority_code{}; ///< the controlling component's; 0 lowest to 255 highest
     friend constexpr bool operator==(const report_component_control&, const report_component_control&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x400D;
+        using query = query_component_control;
+        using T = report_component_control;
+        using type = layout<
+            field<&T::subsystem_id, u8>,
+            field<&T::node_id, u8>,
+            field<&T::component_id, u8>,
+            field<&T::instance_id, u8>,
+            field<&T::authority_code, u8>>;
+    };
 };
 
 /// Report Time: the component's clock.
@@ -224,181 +396,16 @@ struct report_time {
     std::optional<jaus::time_stamp> time_stamp{}; ///< time of day, day of the month
     std::optional<jaus::date_stamp> date_stamp{}; ///< day, month, year
     friend constexpr bool operator==(const report_time&, const report_time&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4011;
+        using query = query_time;
+        using T = report_time;
+        using type = layout<
+            presence<u8,
+                nested<&T::time_stamp>,
+                nested<&T::date_stamp>>>;
+    };
 };
 
 } // namespace jauscat::jaus
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<jaus::set_component_authority> {
-    static constexpr std::uint16_t command_code = 0x0001;
-    using T = jaus::set_component_authority;
-    using type = layout<field<&T::authority_code, u8>>;
-};
-
-template <> struct wire::schema<jaus::shutdown> {
-    static constexpr std::uint16_t command_code = 0x0002;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::standby> {
-    static constexpr std::uint16_t command_code = 0x0003;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::resume> {
-    static constexpr std::uint16_t command_code = 0x0004;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::reset> {
-    static constexpr std::uint16_t command_code = 0x0005;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::set_emergency> {
-    static constexpr std::uint16_t command_code = 0x0006;
-    using T = jaus::set_emergency;
-    using type = layout<field<&T::emergency_code, bit_set_codec<jaus::set_emergency_code, u16le>>>;
-};
-
-template <> struct wire::schema<jaus::clear_emergency> {
-    static constexpr std::uint16_t command_code = 0x0007;
-    using T = jaus::clear_emergency;
-    using type = layout<field<&T::emergency_code, bit_set_codec<jaus::clear_emergency_code, u16le>>>;
-};
-
-template <> struct wire::schema<jaus::create_service_connection> {
-    static constexpr std::uint16_t command_code = 0x0008;
-    using T = jaus::create_service_connection;
-    using type = layout<
-        field<&T::command_code, u16le>,
-        field<&T::requested_periodic_update_rate, scaled<u16le, jaus::update_rate>>,
-        field<&T::requested_presence_vector, u32le>>;
-};
-
-template <> struct wire::schema<jaus::confirm_service_connection> {
-    static constexpr std::uint16_t command_code = 0x0009;
-    using T = jaus::confirm_service_connection;
-    using type = layout<
-        field<&T::command_code, u16le>,
-        field<&T::instance_id, u8>,
-        field<&T::confirmed_periodic_update_rate, scaled<u16le, jaus::update_rate>>,
-        field<&T::response_code, enumeration<jaus::service_connection_response, u8>>>;
-};
-
-template <> struct wire::schema<jaus::activate_service_connection> {
-    static constexpr std::uint16_t command_code = 0x000A;
-    using T = jaus::activate_service_connection;
-    using type = layout<
-        field<&T::command_code, u16le>,
-        field<&T::instance_id, u8>>;
-};
-
-template <> struct wire::schema<jaus::suspend_service_connection> {
-    static constexpr std::uint16_t command_code = 0x000B;
-    using T = jaus::suspend_service_connection;
-    using type = layout<
-        field<&T::command_code, u16le>,
-        field<&T::instance_id, u8>>;
-};
-
-template <> struct wire::schema<jaus::terminate_service_connection> {
-    static constexpr std::uint16_t command_code = 0x000C;
-    using T = jaus::terminate_service_connection;
-    using type = layout<
-        field<&T::command_code, u16le>,
-        field<&T::instance_id, u8>>;
-};
-
-template <> struct wire::schema<jaus::request_component_control> {
-    static constexpr std::uint16_t command_code = 0x000D;
-    using T = jaus::request_component_control;
-    using type = layout<field<&T::authority_code, u8>>;
-};
-
-template <> struct wire::schema<jaus::release_component_control> {
-    static constexpr std::uint16_t command_code = 0x000E;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::confirm_component_control> {
-    static constexpr std::uint16_t command_code = 0x000F;
-    using T = jaus::confirm_component_control;
-    using type = layout<
-        bit_fields<u8,
-            bit_field<&T::response_code, 2>,
-            reserved<6>>>;
-};
-
-template <> struct wire::schema<jaus::reject_component_control> {
-    static constexpr std::uint16_t command_code = 0x0010;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::set_time> {
-    static constexpr std::uint16_t command_code = 0x0011;
-    using T = jaus::set_time;
-    using type = layout<
-        presence<u8,
-            nested<&T::time_stamp>,
-            nested<&T::date_stamp>>>;
-};
-
-template <> struct wire::schema<jaus::query_component_authority> {
-    static constexpr std::uint16_t command_code = 0x2001;
-    using report = jaus::report_component_authority;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::query_component_status> {
-    static constexpr std::uint16_t command_code = 0x2002;
-    using report = jaus::report_component_status;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::query_component_control> {
-    static constexpr std::uint16_t command_code = 0x200D;
-    using report = jaus::report_component_control;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::query_time> {
-    static constexpr std::uint16_t command_code = 0x2011;
-    using report = jaus::report_time;
-    using T = jaus::query_time;
-    using type = layout<field<&T::presence_vector, u8>>;
-};
-
-template <> struct wire::schema<jaus::report_component_authority> {
-    static constexpr std::uint16_t command_code = 0x4001;
-    using query = jaus::query_component_authority;
-    using T = jaus::report_component_authority;
-    using type = layout<field<&T::authority_code, u8>>;
-};
-
-template <> struct wire::schema<jaus::report_component_status> {
-    static constexpr std::uint16_t command_code = 0x4002;
-    using query = jaus::query_component_status;
-    using T = jaus::report_component_status;
-    using type = layout<
-        field<&T::primary_status_code, enumeration<jaus::primary_status_code, u8>>,
-        field<&T::secondary_status_code, u32le>>;
-};
-
-template <> struct wire::schema<jaus::report_component_control> {
-    static constexpr std::uint16_t command_code = 0x400D;
-    using query = jaus::query_component_control;
-    using T = jaus::report_component_control;
-    using type = layout<
-        field<&T::subsystem_id, u8>,
-        field<&T::node_id, u8>,
-        field<&T::component_id, u8>,
-        field<&T::instance_id, u8>,
-        field<&T::authority_code, u8>>;
-};
-
-template <> struct wire::schema<jaus::report_time> {
-    static constexpr std::uint16_t command_code = 0x4011;
-    using query = jaus::query_time;
-    using T = jaus::report_time;
-    using type = layout<
-        presence<u8,
-            nested<&T::time_stamp>,
-            nested<&T::date_stamp>>>;
-};
-
-} // namespace jauscat

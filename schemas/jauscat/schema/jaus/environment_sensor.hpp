@@ -4,7 +4,11 @@
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/wire/schema.hpp>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::jaus {
+
+using namespace wire::items;
 
 /// Axes of Set Camera Pose whose value is a rate; a position where the bit is clear. Bit numbers.
 enum class mode_indicator : std::uint8_t {
@@ -28,6 +32,21 @@ struct set_camera_pose {
     std::optional<double> angular_y_displacement_or_rate{}; ///< percent, -100 to 100
     std::optional<double> angular_z_displacement_or_rate{}; ///< percent, -100 to 100
     friend constexpr bool operator==(const set_camera_pose&, const set_camera_pose&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0801;
+        using T = set_camera_pose;
+        using type = layout<
+            presence<u8,
+                field<&T::camera_id, u8>,
+                field<&T::mode_indicator, bit_set_codec<jaus::mode_indicator, u8>>,
+                field<&T::linear_x_displacement_or_rate, scaled<i16le, signed_percent>>,
+                field<&T::linear_y_displacement_or_rate, scaled<i16le, signed_percent>>,
+                field<&T::linear_z_displacement_or_rate, scaled<i16le, signed_percent>>,
+                field<&T::angular_x_displacement_or_rate, scaled<i16le, signed_percent>>,
+                field<&T::angular_y_displacement_or_rate, scaled<i16le, signed_percent>>,
+                field<&T::angular_z_displacement_or_rate, scaled<i16le, signed_percent>>>>;
+    };
 };
 
 /// Select Camera: selects a camera.
@@ -35,6 +54,12 @@ struct set_camera_pose {
 struct select_camera {
     std::uint8_t camera_id{}; ///< camera to select
     friend constexpr bool operator==(const select_camera&, const select_camera&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0802;
+        using T = select_camera;
+        using type = layout<field<&T::camera_id, u8>>;
+    };
 };
 
 /// Controls of a camera's picture. Bit numbers.
@@ -79,6 +104,25 @@ struct set_camera_capabilities {
     std::optional<wire::bit_set<jaus::imaging_controls>> imaging_controls{}; ///< what to switch on
     std::optional<wire::bit_set<jaus::audio_controls>> audio_controls{};     ///< what to switch on
     friend constexpr bool operator==(const set_camera_capabilities&, const set_camera_capabilities&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0805;
+        using T = set_camera_capabilities;
+        using type = layout<
+            presence<u16le,
+                field<&T::camera_id, u8>,
+                field<&T::horizontal_fov, scaled<u16le, positive_angle>>,
+                field<&T::vertical_fov, scaled<u16le, positive_angle>>,
+                field<&T::horizontal_resolution, in_units<u16le, pixels>>,
+                field<&T::vertical_resolution, in_units<u16le, pixels>>,
+                field<&T::focus, scaled<u8, percent>>,
+                field<&T::iris, scaled<u8, percent>>,
+                field<&T::gain, scaled<u8, percent>>,
+                field<&T::frame_rate, in_units<u16le, frames_per_second>>,
+                field<&T::shutter_speed, in_units<u16le, whole_seconds>>,
+                field<&T::imaging_controls, bit_set_codec<jaus::imaging_controls, u16le>>,
+                field<&T::audio_controls, bit_set_codec<jaus::audio_controls, u16le>>>>;
+    };
 };
 
 /// Coding of a camera's sound. Other values are not assigned.
@@ -123,6 +167,17 @@ struct set_camera_format_options {
     std::optional<jaus::image_format> image_format{}; ///< coding of the pictures
     std::optional<std::uint32_t> format_options{};    ///< 32 bits that RA 3.3 leaves open
     friend constexpr bool operator==(const set_camera_format_options&, const set_camera_format_options&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0806;
+        using T = set_camera_format_options;
+        using type = layout<
+            presence<u8,
+                field<&T::camera_id, u8>,
+                field<&T::audio_format, enumeration<jaus::audio_format, u8>>,
+                field<&T::image_format, enumeration<jaus::image_format, u8>>,
+                field<&T::format_options, u32le>>>;
+    };
 };
 
 /// Query Camera Pose: requests position and direction of a camera.
@@ -131,12 +186,27 @@ struct query_camera_pose {
     std::uint16_t presence_vector{}; ///< the requested fields of Report Camera Pose
     std::uint8_t camera_id{};        ///< which camera
     friend constexpr bool operator==(const query_camera_pose&, const query_camera_pose&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2800;
+        using report = struct report_camera_pose;
+        using T = query_camera_pose;
+        using type = layout<
+            field<&T::presence_vector, u16le>,
+            field<&T::camera_id, u8>>;
+    };
 };
 
 /// Query Camera Count: requests the number of cameras.
 /// Code 2801h, query class, no body.
 struct query_camera_count {
     friend constexpr bool operator==(const query_camera_count&, const query_camera_count&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2801;
+        using report = struct report_camera_count;
+        using type = layout<>;
+    };
 };
 
 /// Query Relative Object Position: requests the position of an object.
@@ -145,12 +215,25 @@ struct query_relative_object_position {
     std::uint8_t presence_vector{}; ///< the requested fields of Report Relative Object Position
     friend constexpr bool operator==(const query_relative_object_position&,
                                      const query_relative_object_position&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2802;
+        using report = struct report_relative_object_position;
+        using T = query_relative_object_position;
+        using type = layout<field<&T::presence_vector, u8>>;
+    };
 };
 
 /// Query Selected Camera: requests the selected camera.
 /// Code 2804h, query class, no body.
 struct query_selected_camera {
     friend constexpr bool operator==(const query_selected_camera&, const query_selected_camera&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2804;
+        using report = struct report_selected_camera;
+        using type = layout<>;
+    };
 };
 
 /// Query Camera Capabilities: requests the functions of a camera.
@@ -159,6 +242,15 @@ struct query_camera_capabilities {
     std::uint16_t presence_vector{}; ///< the requested fields of Report Camera Capabilities
     std::uint8_t camera_id{};        ///< which camera
     friend constexpr bool operator==(const query_camera_capabilities&, const query_camera_capabilities&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2805;
+        using report = struct report_camera_capabilities;
+        using T = query_camera_capabilities;
+        using type = layout<
+            field<&T::presence_vector, u16le>,
+            field<&T::camera_id, u8>>;
+    };
 };
 
 /// Query Camera Format Options: requests the codings of sound and pictures of a camera.
@@ -167,12 +259,27 @@ struct query_camera_format_options {
     std::uint8_t presence_vector{}; ///< the requested fields of Report Camera Format Options
     std::uint8_t camera_id{};       ///< which camera
     friend constexpr bool operator==(const query_camera_format_options&, const query_camera_format_options&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2806;
+        using report = struct report_camera_format_options;
+        using T = query_camera_format_options;
+        using type = layout<
+            field<&T::presence_vector, u8>,
+            field<&T::camera_id, u8>>;
+    };
 };
 
 /// Query Image: asks for an image.
 /// Code 2807h, query class, no body.
 struct query_image {
     friend constexpr bool operator==(const query_image&, const query_image&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2807;
+        using report = struct report_image;
+        using type = layout<>;
+    };
 };
 
 /// Report Camera Pose: where a camera is and where it looks.
@@ -190,6 +297,25 @@ struct report_camera_pose {
     std::optional<double> z_camera_axis_direction_cosine_y{}; ///< -1 to 1
     std::optional<double> z_camera_axis_direction_cosine_z{}; ///< -1 to 1
     friend constexpr bool operator==(const report_camera_pose&, const report_camera_pose&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4800;
+        using query = query_camera_pose;
+        using T = report_camera_pose;
+        using type = layout<
+            presence<u16le,
+                field<&T::camera_id, u8>,
+                string<&T::camera_name, fixed<15>>,
+                field<&T::x_camera_origin, scaled<i16le, camera_origin>>,
+                field<&T::y_camera_origin, scaled<i16le, camera_origin>>,
+                field<&T::z_camera_origin, scaled<i16le, camera_origin>>,
+                field<&T::x_camera_axis_direction_cosine_x, scaled<i16le, unit_vector_component>>,
+                field<&T::x_camera_axis_direction_cosine_y, scaled<i16le, unit_vector_component>>,
+                field<&T::x_camera_axis_direction_cosine_z, scaled<i16le, unit_vector_component>>,
+                field<&T::z_camera_axis_direction_cosine_x, scaled<i16le, unit_vector_component>>,
+                field<&T::z_camera_axis_direction_cosine_y, scaled<i16le, unit_vector_component>>,
+                field<&T::z_camera_axis_direction_cosine_z, scaled<i16le, unit_vector_component>>>>;
+    };
 };
 
 /// Report Camera Count: how many cameras there are.
@@ -197,6 +323,13 @@ struct report_camera_pose {
 struct report_camera_count {
     std::uint8_t camera_count{}; ///< cameras
     friend constexpr bool operator==(const report_camera_count&, const report_camera_count&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4801;
+        using query = query_camera_count;
+        using T = report_camera_count;
+        using type = layout<field<&T::camera_count, u8>>;
+    };
 };
 
 /// Report Relative Object Position: where an object is, in range, bearing and inclination.
@@ -214,6 +347,23 @@ struct report_relative_object_position {
     std::optional<std::uint16_t> object_id{};  ///< which object
     friend constexpr bool operator==(const report_relative_object_position&,
                                      const report_relative_object_position&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4802;
+        using query = query_relative_object_position;
+        using T = report_relative_object_position;
+        using type = layout<
+            presence<u8,
+                nested<&T::time_stamp>,
+                field<&T::range, scaled<i32le, object_range>>,
+                field<&T::range_error, scaled<u32le, object_range_error>>,
+                field<&T::bearing, scaled<i32le, signed_angle>>,
+                field<&T::bearing_error, scaled<u32le, positive_angle>>,
+                field<&T::inclination, scaled<i32le, signed_angle>>,
+                field<&T::inclination_error, scaled<u32le, positive_angle>>,
+                field<&T::confidence, u8>,
+                field<&T::object_id, u16le>>>;
+    };
 };
 
 /// Report Selected Camera: which camera is selected.
@@ -221,6 +371,13 @@ struct report_relative_object_position {
 struct report_selected_camera {
     std::uint8_t camera_id{}; ///< camera selected
     friend constexpr bool operator==(const report_selected_camera&, const report_selected_camera&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4804;
+        using query = query_selected_camera;
+        using T = report_selected_camera;
+        using type = layout<field<&T::camera_id, u8>>;
+    };
 };
 
 /// Report Camera Capabilities: the functions of a camera; a control bit means that the control is available.
@@ -243,6 +400,30 @@ struct report_camera_capabilities {
     std::optional<wire::bit_set<jaus::imaging_controls>> imaging_controls{}; ///< what is available
     std::optional<wire::bit_set<jaus::audio_controls>> audio_controls{};     ///< what is available
     friend constexpr bool operator==(const report_camera_capabilities&, const report_camera_capabilities&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4805;
+        using query = query_camera_capabilities;
+        using T = report_camera_capabilities;
+        using type = layout<
+            presence<u16le,
+                field<&T::camera_id, u8>,
+                string<&T::description, fixed<50>>,
+                field<&T::maximum_horizontal_fov, scaled<u16le, positive_angle>>,
+                field<&T::minimum_horizontal_fov, scaled<u16le, positive_angle>>,
+                field<&T::maximum_vertical_fov, scaled<u16le, positive_angle>>,
+                field<&T::minimum_vertical_fov, scaled<u16le, positive_angle>>,
+                field<&T::maximum_horizontal_resolution, in_units<u16le, pixels>>,
+                field<&T::minimum_horizontal_resolution, in_units<u16le, pixels>>,
+                field<&T::maximum_vertical_resolution, in_units<u16le, pixels>>,
+                field<&T::minimum_vertical_resolution, in_units<u16le, pixels>>,
+                field<&T::maximum_frame_rate, in_units<u16le, frames_per_second>>,
+                field<&T::minimum_frame_rate, in_units<u16le, frames_per_second>>,
+                field<&T::maximum_shutter_speed, in_units<u16le, whole_seconds>>,
+                field<&T::minimum_shutter_speed, in_units<u16le, whole_seconds>>,
+                field<&T::imaging_controls, bit_set_codec<jaus::imaging_controls, u16le>>,
+                field<&T::audio_controls, bit_set_codec<jaus::audio_controls, u16le>>>>;
+    };
 };
 
 /// Report Camera Format Options: the codings of sound and pictures that a camera has.
@@ -258,6 +439,22 @@ struct report_camera_format_options {
     std::optional<std::uint32_t> format_options{}; ///< 32 bits that RA 3.3 leaves open
     friend constexpr bool operator==(const report_camera_format_options&,
                                      const report_camera_format_options&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4806;
+        using query = query_camera_format_options;
+        using T = report_camera_format_options;
+        using type = layout<
+            presence<u8,
+                field<&T::camera_id, u8>,
+                field<&T::audio_format_1, enumeration<audio_format, u8>>,
+                field<&T::audio_format_2, enumeration<audio_format, u8>>,
+                field<&T::image_format_1, enumeration<image_format, u8>>,
+                field<&T::image_format_2, enumeration<image_format, u8>>,
+                field<&T::image_format_3, enumeration<image_format, u8>>,
+                field<&T::image_format_4, enumeration<image_format, u8>>,
+                field<&T::format_options, u32le>>>;
+    };
 };
 
 /// Report Image: an image; a large one comes in several packets.
@@ -267,212 +464,16 @@ struct report_image {
     image_format video_format{}; ///< coding of the image
     wire::blob image_data{};     ///< in the coding above
     friend constexpr bool operator==(const report_image&, const report_image&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4807;
+        using query = query_image;
+        using T = report_image;
+        using type = layout<
+            field<&T::camera_id, u8>,
+            field<&T::video_format, enumeration<image_format, u8>>,
+            bytes<&T::image_data, rest>>;
+    };
 };
 
 } // namespace jauscat::jaus
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<jaus::set_camera_pose> {
-    static constexpr std::uint16_t command_code = 0x0801;
-    using T = jaus::set_camera_pose;
-    using type = layout<
-        presence<u8,
-            field<&T::camera_id, u8>,
-            field<&T::mode_indicator, bit_set_codec<jaus::mode_indicator, u8>>,
-            field<&T::linear_x_displacement_or_rate, scaled<i16le, jaus::signed_percent>>,
-            field<&T::linear_y_displacement_or_rate, scaled<i16le, jaus::signed_percent>>,
-            field<&T::linear_z_displacement_or_rate, scaled<i16le, jaus::signed_percent>>,
-            field<&T::angular_x_displacement_or_rate, scaled<i16le, jaus::signed_percent>>,
-            field<&T::angular_y_displacement_or_rate, scaled<i16le, jaus::signed_percent>>,
-            field<&T::angular_z_displacement_or_rate, scaled<i16le, jaus::signed_percent>>>>;
-};
-
-template <> struct wire::schema<jaus::select_camera> {
-    static constexpr std::uint16_t command_code = 0x0802;
-    using T = jaus::select_camera;
-    using type = layout<field<&T::camera_id, u8>>;
-};
-
-template <> struct wire::schema<jaus::set_camera_capabilities> {
-    static constexpr std::uint16_t command_code = 0x0805;
-    using T = jaus::set_camera_capabilities;
-    using type = layout<
-        presence<u16le,
-            field<&T::camera_id, u8>,
-            field<&T::horizontal_fov, scaled<u16le, jaus::positive_angle>>,
-            field<&T::vertical_fov, scaled<u16le, jaus::positive_angle>>,
-            field<&T::horizontal_resolution, in_units<u16le, jaus::pixels>>,
-            field<&T::vertical_resolution, in_units<u16le, jaus::pixels>>,
-            field<&T::focus, scaled<u8, jaus::percent>>,
-            field<&T::iris, scaled<u8, jaus::percent>>,
-            field<&T::gain, scaled<u8, jaus::percent>>,
-            field<&T::frame_rate, in_units<u16le, jaus::frames_per_second>>,
-            field<&T::shutter_speed, in_units<u16le, jaus::whole_seconds>>,
-            field<&T::imaging_controls, bit_set_codec<jaus::imaging_controls, u16le>>,
-            field<&T::audio_controls, bit_set_codec<jaus::audio_controls, u16le>>>>;
-};
-
-template <> struct wire::schema<jaus::set_camera_format_options> {
-    static constexpr std::uint16_t command_code = 0x0806;
-    using T = jaus::set_camera_format_options;
-    using type = layout<
-        presence<u8,
-            field<&T::camera_id, u8>,
-            field<&T::audio_format, enumeration<jaus::audio_format, u8>>,
-            field<&T::image_format, enumeration<jaus::image_format, u8>>,
-            field<&T::format_options, u32le>>>;
-};
-
-template <> struct wire::schema<jaus::query_camera_pose> {
-    static constexpr std::uint16_t command_code = 0x2800;
-    using report = jaus::report_camera_pose;
-    using T = jaus::query_camera_pose;
-    using type = layout<
-        field<&T::presence_vector, u16le>,
-        field<&T::camera_id, u8>>;
-};
-
-template <> struct wire::schema<jaus::query_camera_count> {
-    static constexpr std::uint16_t command_code = 0x2801;
-    using report = jaus::report_camera_count;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::query_relative_object_position> {
-    static constexpr std::uint16_t command_code = 0x2802;
-    using report = jaus::report_relative_object_position;
-    using T = jaus::query_relative_object_position;
-    using type = layout<field<&T::presence_vector, u8>>;
-};
-
-template <> struct wire::schema<jaus::query_selected_camera> {
-    static constexpr std::uint16_t command_code = 0x2804;
-    using report = jaus::report_selected_camera;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::query_camera_capabilities> {
-    static constexpr std::uint16_t command_code = 0x2805;
-    using report = jaus::report_camera_capabilities;
-    using T = jaus::query_camera_capabilities;
-    using type = layout<
-        field<&T::presence_vector, u16le>,
-        field<&T::camera_id, u8>>;
-};
-
-template <> struct wire::schema<jaus::query_camera_format_options> {
-    static constexpr std::uint16_t command_code = 0x2806;
-    using report = jaus::report_camera_format_options;
-    using T = jaus::query_camera_format_options;
-    using type = layout<
-        field<&T::presence_vector, u8>,
-        field<&T::camera_id, u8>>;
-};
-
-template <> struct wire::schema<jaus::query_image> {
-    static constexpr std::uint16_t command_code = 0x2807;
-    using report = jaus::report_image;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::report_camera_pose> {
-    static constexpr std::uint16_t command_code = 0x4800;
-    using query = jaus::query_camera_pose;
-    using T = jaus::report_camera_pose;
-    using type = layout<
-        presence<u16le,
-            field<&T::camera_id, u8>,
-            string<&T::camera_name, fixed<15>>,
-            field<&T::x_camera_origin, scaled<i16le, jaus::camera_origin>>,
-            field<&T::y_camera_origin, scaled<i16le, jaus::camera_origin>>,
-            field<&T::z_camera_origin, scaled<i16le, jaus::camera_origin>>,
-            field<&T::x_camera_axis_direction_cosine_x, scaled<i16le, jaus::unit_vector_component>>,
-            field<&T::x_camera_axis_direction_cosine_y, scaled<i16le, jaus::unit_vector_component>>,
-            field<&T::x_camera_axis_direction_cosine_z, scaled<i16le, jaus::unit_vector_component>>,
-            field<&T::z_camera_axis_direction_cosine_x, scaled<i16le, jaus::unit_vector_component>>,
-            field<&T::z_camera_axis_direction_cosine_y, scaled<i16le, jaus::unit_vector_component>>,
-            field<&T::z_camera_axis_direction_cosine_z, scaled<i16le, jaus::unit_vector_component>>>>;
-};
-
-template <> struct wire::schema<jaus::report_camera_count> {
-    static constexpr std::uint16_t command_code = 0x4801;
-    using query = jaus::query_camera_count;
-    using T = jaus::report_camera_count;
-    using type = layout<field<&T::camera_count, u8>>;
-};
-
-template <> struct wire::schema<jaus::report_relative_object_position> {
-    static constexpr std::uint16_t command_code = 0x4802;
-    using query = jaus::query_relative_object_position;
-    using T = jaus::report_relative_object_position;
-    using type = layout<
-        presence<u8,
-            nested<&T::time_stamp>,
-            field<&T::range, scaled<i32le, jaus::object_range>>,
-            field<&T::range_error, scaled<u32le, jaus::object_range_error>>,
-            field<&T::bearing, scaled<i32le, jaus::signed_angle>>,
-            field<&T::bearing_error, scaled<u32le, jaus::positive_angle>>,
-            field<&T::inclination, scaled<i32le, jaus::signed_angle>>,
-            field<&T::inclination_error, scaled<u32le, jaus::positive_angle>>,
-            field<&T::confidence, u8>,
-            field<&T::object_id, u16le>>>;
-};
-
-template <> struct wire::schema<jaus::report_selected_camera> {
-    static constexpr std::uint16_t command_code = 0x4804;
-    using query = jaus::query_selected_camera;
-    using T = jaus::report_selected_camera;
-    using type = layout<field<&T::camera_id, u8>>;
-};
-
-template <> struct wire::schema<jaus::report_camera_capabilities> {
-    static constexpr std::uint16_t command_code = 0x4805;
-    using query = jaus::query_camera_capabilities;
-    using T = jaus::report_camera_capabilities;
-    using type = layout<
-        presence<u16le,
-            field<&T::camera_id, u8>,
-            string<&T::description, fixed<50>>,
-            field<&T::maximum_horizontal_fov, scaled<u16le, jaus::positive_angle>>,
-            field<&T::minimum_horizontal_fov, scaled<u16le, jaus::positive_angle>>,
-            field<&T::maximum_vertical_fov, scaled<u16le, jaus::positive_angle>>,
-            field<&T::minimum_vertical_fov, scaled<u16le, jaus::positive_angle>>,
-            field<&T::maximum_horizontal_resolution, in_units<u16le, jaus::pixels>>,
-            field<&T::minimum_horizontal_resolution, in_units<u16le, jaus::pixels>>,
-            field<&T::maximum_vertical_resolution, in_units<u16le, jaus::pixels>>,
-            field<&T::minimum_vertical_resolution, in_units<u16le, jaus::pixels>>,
-            field<&T::maximum_frame_rate, in_units<u16le, jaus::frames_per_second>>,
-            field<&T::minimum_frame_rate, in_units<u16le, jaus::frames_per_second>>,
-            field<&T::maximum_shutter_speed, in_units<u16le, jaus::whole_seconds>>,
-            field<&T::minimum_shutter_speed, in_units<u16le, jaus::whole_seconds>>,
-            field<&T::imaging_controls, bit_set_codec<jaus::imaging_controls, u16le>>,
-            field<&T::audio_controls, bit_set_codec<jaus::audio_controls, u16le>>>>;
-};
-
-template <> struct wire::schema<jaus::report_camera_format_options> {
-    static constexpr std::uint16_t command_code = 0x4806;
-    using query = jaus::query_camera_format_options;
-    using T = jaus::report_camera_format_options;
-    using type = layout<
-        presence<u8,
-            field<&T::camera_id, u8>,
-            field<&T::audio_format_1, enumeration<jaus::audio_format, u8>>,
-            field<&T::audio_format_2, enumeration<jaus::audio_format, u8>>,
-            field<&T::image_format_1, enumeration<jaus::image_format, u8>>,
-            field<&T::image_format_2, enumeration<jaus::image_format, u8>>,
-            field<&T::image_format_3, enumeration<jaus::image_format, u8>>,
-            field<&T::image_format_4, enumeration<jaus::image_format, u8>>,
-            field<&T::format_options, u32le>>>;
-};
-
-template <> struct wire::schema<jaus::report_image> {
-    static constexpr std::uint16_t command_code = 0x4807;
-    using query = jaus::query_image;
-    using T = jaus::report_image;
-    using type = layout<
-        field<&T::camera_id, u8>,
-        field<&T::video_format, enumeration<jaus::image_format, u8>>,
-        bytes<&T::image_data, rest>>;
-};
-
-} // namespace jauscat

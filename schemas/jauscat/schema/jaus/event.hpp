@@ -4,7 +4,11 @@
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/wire/schema.hpp>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::jaus {
+
+using namespace wire::items;
 
 /// What triggers an event.
 enum class event_type : std::uint8_t {
@@ -45,6 +49,24 @@ struct create_event {
     std::optional<double> requested_periodic_rate{};         ///< hertz, 0 to 1092
     std::optional<wire::blob> query_message_body{};          ///< of the query for the report, without a header
     friend constexpr bool operator==(const create_event&, const create_event&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x01F0;
+        using T = create_event;
+        using type = layout<
+            presence<u8,
+                field<&T::local_request_id, u8>,
+                field<&T::message_code, u16le>,
+                field<&T::event_type, enumeration<jaus::event_type, u8>>,
+                field<&T::event_boundary, enumeration<jaus::event_boundary, u8>>,
+                field<&T::limit_data_field, u8>,
+                nested<&T::lower_limit>,
+                nested<&T::upper_limit>,
+                nested<&T::state_limit>,
+                field<&T::requested_minimum_periodic_rate, scaled<u16le, update_rate>>,
+                field<&T::requested_periodic_rate, scaled<u16le, update_rate>>,
+                bytes<&T::query_message_body, count<"query_message_size", u32le>>>>;
+    };
 };
 
 /// Update Event: changes an event that has been created.
@@ -63,6 +85,25 @@ struct update_event {
     std::uint8_t event_id{};                                 ///< the event, as the confirmation numbered it
     std::optional<wire::blob> query_message_body{};          ///< of the query for the report, without a header
     friend constexpr bool operator==(const update_event&, const update_event&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x01F1;
+        using T = update_event;
+        using type = layout<
+            presence<u8,
+                field<&T::local_request_id, u8>,
+                field<&T::message_code, u16le>,
+                field<&T::event_type, enumeration<jaus::event_type, u8>>,
+                field<&T::event_boundary, enumeration<jaus::event_boundary, u8>>,
+                field<&T::limit_data_field, u8>,
+                nested<&T::lower_limit>,
+                nested<&T::upper_limit>,
+                nested<&T::state_limit>,
+                field<&T::requested_minimum_periodic_rate, scaled<u16le, update_rate>>,
+                field<&T::requested_periodic_rate, scaled<u16le, update_rate>>,
+                field<&T::event_id, u8>,
+                bytes<&T::query_message_body, count<"query_message_size", u32le>>>>;
+    };
 };
 
 /// Cancel Event: ends an event, or the events of a report.
@@ -72,6 +113,16 @@ struct cancel_event {
     std::optional<std::uint16_t> message_code{}; ///< command code of the report
     std::optional<std::uint8_t> event_id{};      ///< the event, as the confirmation numbered it
     friend constexpr bool operator==(const cancel_event&, const cancel_event&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x01F2;
+        using T = cancel_event;
+        using type = layout<
+            presence<u8,
+                field<&T::local_request_id, u8>,
+                field<&T::message_code, u16le>,
+                field<&T::event_id, u8>>>;
+    };
 };
 
 /// Response Code of the event messages. Successful is sure; sources disagree on the numbers of the other values.
@@ -94,6 +145,18 @@ struct confirm_event_request {
     std::optional<double> confirmed_periodic_rate{}; ///< hertz, 0 to 1092
     event_response response_code{};                  ///< successful, or a restriction
     friend constexpr bool operator==(const confirm_event_request&, const confirm_event_request&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x01F3;
+        using T = confirm_event_request;
+        using type = layout<
+            presence<u8,
+                field<&T::local_request_id, u8>,
+                field<&T::message_code, u16le>,
+                field<&T::event_id, u8>,
+                field<&T::confirmed_periodic_rate, scaled<u16le, update_rate>>,
+                field<&T::response_code, enumeration<event_response, u8>>>>;
+    };
 };
 
 /// Reject Event Request: answers a request for an event that cannot be met.
@@ -104,6 +167,16 @@ struct reject_event_request {
     event_response response_code{};                  ///< the reason
     std::optional<std::string_view> error_message{}; ///< the reason in words
     friend constexpr bool operator==(const reject_event_request&, const reject_event_request&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x01F4;
+        using T = reject_event_request;
+        using type = layout<
+            presence<u8,
+                field<&T::local_request_id, u8>,
+                field<&T::response_code, enumeration<event_response, u8>>,
+                string<&T::error_message, rest>>>;
+    };
 };
 
 /// Query Events: asks for Report Events.
@@ -113,6 +186,17 @@ struct query_events {
     std::optional<jaus::event_type> event_type{}; ///< only events of this type
     std::optional<std::uint8_t> event_id{};       ///< only this event
     friend constexpr bool operator==(const query_events&, const query_events&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x21F0;
+        using report = struct report_events;
+        using T = query_events;
+        using type = layout<
+            presence<u8,
+                field<&T::message_code, u16le>,
+                field<&T::event_type, enumeration<jaus::event_type, u8>>,
+                field<&T::event_id, u8>>>;
+    };
 };
 
 /// An event in Report Events. 4 bytes or more.
@@ -127,6 +211,21 @@ struct reported_event {
     std::optional<std::uint8_t> event_id{};         ///< the event, as the confirmation numbered it
     std::optional<wire::blob> query_message{};      ///< of the query for the report; some peers put its header in front
     friend constexpr bool operator==(const reported_event&, const reported_event&) = default;
+
+    struct schema {
+        using T = reported_event;
+        using type = layout<
+            presence<u8,
+                field<&T::message_code, u16le>,
+                field<&T::event_type, enumeration<jaus::event_type, u8>>,
+                field<&T::event_boundary, enumeration<jaus::event_boundary, u8>>,
+                field<&T::limit_data_field, u8>,
+                nested<&T::lower_limit>,
+                nested<&T::upper_limit>,
+                nested<&T::state_limit>,
+                field<&T::event_id, u8>,
+                bytes<&T::query_message, count<"query_message_size", u32le>>>>;
+    };
 };
 
 /// Report Events: the events that are set up.
@@ -134,6 +233,13 @@ struct reported_event {
 struct report_events {
     wire::list<reported_event> event{}; ///< up to 255
     friend constexpr bool operator==(const report_events&, const report_events&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x41F0;
+        using query = query_events;
+        using T = report_events;
+        using type = layout<repeated<&T::event, count<"number_of_events", u8>>>;
+    };
 };
 
 /// Event: the report that an event triggered.
@@ -144,124 +250,16 @@ struct event {
     std::uint8_t event_sequence_number{}; ///< counts occurrences, wraps
     wire::blob report_message_body{};     ///< the report without a header
     friend constexpr bool operator==(const event&, const event&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x41F1;
+        using T = event;
+        using type = layout<
+            field<&T::event_id, u8>,
+            field<&T::message_code, u16le>,
+            field<&T::event_sequence_number, u8>,
+            bytes<&T::report_message_body, count<"report_message_size", u32le>>>;
+    };
 };
 
 } // namespace jauscat::jaus
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<jaus::create_event> {
-    static constexpr std::uint16_t command_code = 0x01F0;
-    using T = jaus::create_event;
-    using type = layout<
-        presence<u8,
-            field<&T::local_request_id, u8>,
-            field<&T::message_code, u16le>,
-            field<&T::event_type, enumeration<jaus::event_type, u8>>,
-            field<&T::event_boundary, enumeration<jaus::event_boundary, u8>>,
-            field<&T::limit_data_field, u8>,
-            nested<&T::lower_limit>,
-            nested<&T::upper_limit>,
-            nested<&T::state_limit>,
-            field<&T::requested_minimum_periodic_rate, scaled<u16le, jaus::update_rate>>,
-            field<&T::requested_periodic_rate, scaled<u16le, jaus::update_rate>>,
-            bytes<&T::query_message_body, count<"query_message_size", u32le>>>>;
-};
-
-template <> struct wire::schema<jaus::update_event> {
-    static constexpr std::uint16_t command_code = 0x01F1;
-    using T = jaus::update_event;
-    using type = layout<
-        presence<u8,
-            field<&T::local_request_id, u8>,
-            field<&T::message_code, u16le>,
-            field<&T::event_type, enumeration<jaus::event_type, u8>>,
-            field<&T::event_boundary, enumeration<jaus::event_boundary, u8>>,
-            field<&T::limit_data_field, u8>,
-            nested<&T::lower_limit>,
-            nested<&T::upper_limit>,
-            nested<&T::state_limit>,
-            field<&T::requested_minimum_periodic_rate, scaled<u16le, jaus::update_rate>>,
-            field<&T::requested_periodic_rate, scaled<u16le, jaus::update_rate>>,
-            field<&T::event_id, u8>,
-            bytes<&T::query_message_body, count<"query_message_size", u32le>>>>;
-};
-
-template <> struct wire::schema<jaus::cancel_event> {
-    static constexpr std::uint16_t command_code = 0x01F2;
-    using T = jaus::cancel_event;
-    using type = layout<
-        presence<u8,
-            field<&T::local_request_id, u8>,
-            field<&T::message_code, u16le>,
-            field<&T::event_id, u8>>>;
-};
-
-template <> struct wire::schema<jaus::confirm_event_request> {
-    static constexpr std::uint16_t command_code = 0x01F3;
-    using T = jaus::confirm_event_request;
-    using type = layout<
-        presence<u8,
-            field<&T::local_request_id, u8>,
-            field<&T::message_code, u16le>,
-            field<&T::event_id, u8>,
-            field<&T::confirmed_periodic_rate, scaled<u16le, jaus::update_rate>>,
-            field<&T::response_code, enumeration<jaus::event_response, u8>>>>;
-};
-
-template <> struct wire::schema<jaus::reject_event_request> {
-    static constexpr std::uint16_t command_code = 0x01F4;
-    using T = jaus::reject_event_request;
-    using type = layout<
-        presence<u8,
-            field<&T::local_request_id, u8>,
-            field<&T::response_code, enumeration<jaus::event_response, u8>>,
-            string<&T::error_message, rest>>>;
-};
-
-template <> struct wire::schema<jaus::query_events> {
-    static constexpr std::uint16_t command_code = 0x21F0;
-    using report = jaus::report_events;
-    using T = jaus::query_events;
-    using type = layout<
-        presence<u8,
-            field<&T::message_code, u16le>,
-            field<&T::event_type, enumeration<jaus::event_type, u8>>,
-            field<&T::event_id, u8>>>;
-};
-
-template <> struct wire::schema<jaus::reported_event> {
-    using T = jaus::reported_event;
-    using type = layout<
-        presence<u8,
-            field<&T::message_code, u16le>,
-            field<&T::event_type, enumeration<jaus::event_type, u8>>,
-            field<&T::event_boundary, enumeration<jaus::event_boundary, u8>>,
-            field<&T::limit_data_field, u8>,
-            nested<&T::lower_limit>,
-            nested<&T::upper_limit>,
-            nested<&T::state_limit>,
-            field<&T::event_id, u8>,
-            bytes<&T::query_message, count<"query_message_size", u32le>>>>;
-};
-
-template <> struct wire::schema<jaus::report_events> {
-    static constexpr std::uint16_t command_code = 0x41F0;
-    using query = jaus::query_events;
-    using T = jaus::report_events;
-    using type = layout<repeated<&T::event, count<"number_of_events", u8>>>;
-};
-
-template <> struct wire::schema<jaus::event> {
-    static constexpr std::uint16_t command_code = 0x41F1;
-    using T = jaus::event;
-    using type = layout<
-        field<&T::event_id, u8>,
-        field<&T::message_code, u16le>,
-        field<&T::event_sequence_number, u8>,
-        bytes<&T::report_message_body, count<"report_message_size", u32le>>>;
-};
-
-} // namespace jauscat

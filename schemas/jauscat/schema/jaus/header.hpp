@@ -2,7 +2,11 @@
 #pragma once
 #include <jauscat/wire/schema.hpp>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::jaus {
+
+using namespace wire::items;
 
 /// A JAUS ID, written subsystem.node.component.instance. Each octet: 1 to 254, 255 for all of that level, 0 invalid.
 struct address {
@@ -11,6 +15,15 @@ struct address {
     std::uint8_t node{};
     std::uint8_t subsystem{};
     friend constexpr bool operator==(const address&, const address&) = default;
+
+    struct schema {
+        using T = address;
+        using type = layout<
+            field<&T::instance, u8>,
+            field<&T::component, u8>,
+            field<&T::node, u8>,
+            field<&T::subsystem, u8>>;
+    };
 };
 
 /// Message properties, bits 4 and 5.
@@ -45,43 +58,28 @@ struct header {
     jaus::data_flag data_flag{};     ///< place in a large data set
     std::uint16_t sequence_number{}; ///< 0 to 65535
     friend constexpr bool operator==(const header&, const header&) = default;
+
+    struct schema {
+        using T = header;
+        using type = layout<
+            bit_fields<u16le,
+                bit_field<&T::priority, 4>,
+                bit_field<&T::ack_nak, 2>,
+                bit_field<&T::service_connection, 1>,
+                bit_field<&T::experimental, 1>,
+                bit_field<&T::version, 6>,
+                bit_field<&T::reserved, 2>>,
+            field<&T::command_code, u16le>,
+            nested<&T::destination>,
+            nested<&T::source>,
+            bit_fields<u16le,
+                bit_field<&T::data_size, 12>,
+                bit_field<&T::data_flag, 4>>,
+            field<&T::sequence_number, u16le>>;
+    };
 };
 
 /// Bytes of body that one packet may carry. RA 3.3 part 2, large data sets.
 inline constexpr std::size_t max_body_size = 4080;
 
 } // namespace jauscat::jaus
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<jaus::address> {
-    using T = jaus::address;
-    using type = layout<
-        field<&T::instance, u8>,
-        field<&T::component, u8>,
-        field<&T::node, u8>,
-        field<&T::subsystem, u8>>;
-};
-
-template <> struct wire::schema<jaus::header> {
-    using T = jaus::header;
-    using type = layout<
-        bit_fields<u16le,
-            bit_field<&T::priority, 4>,
-            bit_field<&T::ack_nak, 2>,
-            bit_field<&T::service_connection, 1>,
-            bit_field<&T::experimental, 1>,
-            bit_field<&T::version, 6>,
-            bit_field<&T::reserved, 2>>,
-        field<&T::command_code, u16le>,
-        nested<&T::destination>,
-        nested<&T::source>,
-        bit_fields<u16le,
-            bit_field<&T::data_size, 12>,
-            bit_field<&T::data_flag, 4>>,
-        field<&T::sequence_number, u16le>>;
-};
-
-} // namespace jauscat

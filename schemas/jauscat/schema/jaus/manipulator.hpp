@@ -5,13 +5,25 @@
 
 // The limits of joint positions, velocities and torques are those of revolute joints. For a prismatic joint the
 // standard uses the same fields in metres and newtons with other limits; those are not known here.
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::jaus {
+
+using namespace wire::items;
 
 /// Set Joint Efforts: drives the joints open-loop, in percent of their capability.
 /// Code 0601h, command class, 1 byte or more.
 template <std::size_t Capacity> struct basic_set_joint_efforts {
     wire::inline_list<double, Capacity> joint_effort{}; ///< percent, -100 to 100; from joint 1
     friend constexpr bool operator==(const basic_set_joint_efforts&, const basic_set_joint_efforts&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0601;
+        using T = basic_set_joint_efforts<Capacity>;
+        using type = layout<
+            repeated<&T::joint_effort, count<"number_of_joints", u8>,
+                element<"joint", scaled<u16le, signed_percent>>>>;
+    };
 };
 using set_joint_efforts = basic_set_joint_efforts<255>;
 
@@ -20,6 +32,14 @@ using set_joint_efforts = basic_set_joint_efforts<255>;
 template <std::size_t Capacity> struct basic_set_joint_positions {
     wire::inline_list<double, Capacity> joint_position{}; ///< radians, -8 pi to 8 pi; from joint 1
     friend constexpr bool operator==(const basic_set_joint_positions&, const basic_set_joint_positions&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0602;
+        using T = basic_set_joint_positions<Capacity>;
+        using type = layout<
+            repeated<&T::joint_position, count<"number_of_joints", u8>,
+                element<"joint", scaled<u32le, joint_angle>>>>;
+    };
 };
 using set_joint_positions = basic_set_joint_positions<255>;
 
@@ -28,6 +48,14 @@ using set_joint_positions = basic_set_joint_positions<255>;
 template <std::size_t Capacity> struct basic_set_joint_velocities {
     wire::inline_list<double, Capacity> joint_velocity{}; ///< radians per second, -10 pi to 10 pi; from joint 1
     friend constexpr bool operator==(const basic_set_joint_velocities&, const basic_set_joint_velocities&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0603;
+        using T = basic_set_joint_velocities<Capacity>;
+        using type = layout<
+            repeated<&T::joint_velocity, count<"number_of_joints", u8>,
+                element<"joint", scaled<u32le, joint_angular_velocity>>>>;
+    };
 };
 using set_joint_velocities = basic_set_joint_velocities<255>;
 
@@ -38,6 +66,15 @@ struct set_tool_point {
     double y_coordinate_of_tool_tip{}; ///< metres, -15 to 15
     double z_coordinate_of_tool_tip{}; ///< metres, -15 to 15
     friend constexpr bool operator==(const set_tool_point&, const set_tool_point&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0604;
+        using T = set_tool_point;
+        using type = layout<
+            field<&T::x_coordinate_of_tool_tip, scaled<u32le, tool_tip_coordinate>>,
+            field<&T::y_coordinate_of_tool_tip, scaled<u32le, tool_tip_coordinate>>,
+            field<&T::z_coordinate_of_tool_tip, scaled<u32le, tool_tip_coordinate>>>;
+    };
 };
 
 /// Set End-Effector Pose: sends the tool point to a position and attitude.
@@ -51,6 +88,19 @@ struct set_end_effector_pose {
     double b_component_of_unit_quaternion_q{}; ///< -1 to 1
     double c_component_of_unit_quaternion_q{}; ///< -1 to 1
     friend constexpr bool operator==(const set_end_effector_pose&, const set_end_effector_pose&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0605;
+        using T = set_end_effector_pose;
+        using type = layout<
+            field<&T::x_component_of_tool_point, scaled<u32le, manipulator_coordinate>>,
+            field<&T::y_component_of_tool_point, scaled<u32le, manipulator_coordinate>>,
+            field<&T::z_component_of_tool_point, scaled<u32le, manipulator_coordinate>>,
+            field<&T::d_component_of_unit_quaternion_q, scaled<u32le, unit_vector_component>>,
+            field<&T::a_component_of_unit_quaternion_q, scaled<u32le, unit_vector_component>>,
+            field<&T::b_component_of_unit_quaternion_q, scaled<u32le, unit_vector_component>>,
+            field<&T::c_component_of_unit_quaternion_q, scaled<u32le, unit_vector_component>>>;
+    };
 };
 
 /// Coordinate System of Set End-Effector Velocity State.
@@ -71,6 +121,19 @@ struct set_end_effector_velocity_state {
     double linear_velocity_z{};                         ///< metres per second, -10 to 10
     friend constexpr bool operator==(const set_end_effector_velocity_state&,
                                      const set_end_effector_velocity_state&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0606;
+        using T = set_end_effector_velocity_state;
+        using type = layout<
+            field<&T::coordinate_system, enumeration<end_effector_coordinate_system, u8>>,
+            field<&T::angular_velocity_x, scaled<u32le, end_effector_angular_velocity>>,
+            field<&T::angular_velocity_y, scaled<u32le, end_effector_angular_velocity>>,
+            field<&T::angular_velocity_z, scaled<u32le, end_effector_angular_velocity>>,
+            field<&T::linear_velocity_x, scaled<u32le, end_effector_linear_velocity>>,
+            field<&T::linear_velocity_y, scaled<u32le, end_effector_linear_velocity>>,
+            field<&T::linear_velocity_z, scaled<u32le, end_effector_linear_velocity>>>;
+    };
 };
 
 /// One joint in a pose of Set Joint Motion. 16 bytes.
@@ -80,6 +143,15 @@ struct joint_motion {
     double joint_maximum_acceleration{}; ///< radians per second squared, -10 pi to 10 pi
     double joint_maximum_deceleration{}; ///< radians per second squared, -10 pi to 10 pi
     friend constexpr bool operator==(const joint_motion&, const joint_motion&) = default;
+
+    struct schema {
+        using T = joint_motion;
+        using type = layout<
+            field<&T::joint_position, scaled<u32le, joint_angle>>,
+            field<&T::joint_maximum_velocity, scaled<u32le, joint_angular_velocity>>,
+            field<&T::joint_maximum_acceleration, scaled<u32le, joint_angular_acceleration>>,
+            field<&T::joint_maximum_deceleration, scaled<u32le, joint_angular_acceleration>>>;
+    };
 };
 
 /// One pose of Set Joint Motion. 4 bytes or more.
@@ -87,6 +159,8 @@ struct joint_motion_pose {
     double pose_time{};               ///< seconds, 0 to 6000
     wire::list<joint_motion> joint{}; ///< as many as the message has joints; from joint 1
     friend constexpr bool operator==(const joint_motion_pose&, const joint_motion_pose&) = default;
+
+    struct schema; ///< below the message, whose field it counts by
 };
 
 /// Set Joint Motion: sends all joints through a sequence of poses.
@@ -95,6 +169,21 @@ struct set_joint_motion {
     std::uint8_t number_of_joints{};      ///< joints in each pose
     wire::list<joint_motion_pose> pose{}; ///< in the order of time
     friend constexpr bool operator==(const set_joint_motion&, const set_joint_motion&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0607;
+        using T = set_joint_motion;
+        using type = layout<
+            field<&T::number_of_joints, u8>,
+            repeated<&T::pose, count<"number_of_poses", u8>>>;
+    };
+};
+
+struct joint_motion_pose::schema {
+    using T = joint_motion_pose;
+    using type = layout<
+        field<&T::pose_time, scaled<u32le, pose_duration>>,
+        repeated<&T::joint, counted_by<&set_joint_motion::number_of_joints>>>;
 };
 
 /// One pose of Set End-Effector Path Motion. 32 bytes.
@@ -108,6 +197,19 @@ struct end_effector_path_pose {
     double b_component_of_unit_quaternion_q{}; ///< -1 to 1
     double c_component_of_unit_quaternion_q{}; ///< -1 to 1
     friend constexpr bool operator==(const end_effector_path_pose&, const end_effector_path_pose&) = default;
+
+    struct schema {
+        using T = end_effector_path_pose;
+        using type = layout<
+            field<&T::pose_time, scaled<u32le, pose_duration>>,
+            field<&T::x_component_of_tool_point, scaled<u32le, manipulator_coordinate>>,
+            field<&T::y_component_of_tool_point, scaled<u32le, manipulator_coordinate>>,
+            field<&T::z_component_of_tool_point, scaled<u32le, manipulator_coordinate>>,
+            field<&T::d_component_of_unit_quaternion_q, scaled<u32le, unit_vector_component>>,
+            field<&T::a_component_of_unit_quaternion_q, scaled<u32le, unit_vector_component>>,
+            field<&T::b_component_of_unit_quaternion_q, scaled<u32le, unit_vector_component>>,
+            field<&T::c_component_of_unit_quaternion_q, scaled<u32le, unit_vector_component>>>;
+    };
 };
 
 /// Set End-Effector Path Motion: sends the tool point along a path of poses.
@@ -116,6 +218,12 @@ struct set_end_effector_path_motion {
     wire::list<end_effector_path_pose> pose{}; ///< in the order of time
     friend constexpr bool operator==(const set_end_effector_path_motion&,
                                      const set_end_effector_path_motion&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0608;
+        using T = set_end_effector_path_motion;
+        using type = layout<repeated<&T::pose, count<"number_of_poses", u8>>>;
+    };
 };
 
 /// Query Manipulator Specifications: asks for Report Manipulator Specifications.
@@ -123,36 +231,84 @@ struct set_end_effector_path_motion {
 struct query_manipulator_specifications {
     friend constexpr bool operator==(const query_manipulator_specifications&,
                                      const query_manipulator_specifications&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2600;
+        using report = struct report_manipulator_specifications;
+        using type = layout<>;
+    };
 };
+
+template <std::size_t Capacity> struct basic_report_joint_efforts;
+using report_joint_efforts = basic_report_joint_efforts<255>;
 
 /// Query Joint Efforts: asks for Report Joint Efforts.
 /// Code 2601h, query class, no body.
 struct query_joint_efforts {
     friend constexpr bool operator==(const query_joint_efforts&, const query_joint_efforts&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2601;
+        using report = report_joint_efforts;
+        using type = layout<>;
+    };
 };
+
+template <std::size_t Capacity> struct basic_report_joint_positions;
+using report_joint_positions = basic_report_joint_positions<255>;
 
 /// Query Joint Positions: asks for Report Joint Positions.
 /// Code 2602h, query class, no body.
 struct query_joint_positions {
     friend constexpr bool operator==(const query_joint_positions&, const query_joint_positions&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2602;
+        using report = report_joint_positions;
+        using type = layout<>;
+    };
 };
+
+template <std::size_t Capacity> struct basic_report_joint_velocities;
+using report_joint_velocities = basic_report_joint_velocities<255>;
 
 /// Query Joint Velocities: asks for Report Joint Velocities.
 /// Code 2603h, query class, no body.
 struct query_joint_velocities {
     friend constexpr bool operator==(const query_joint_velocities&, const query_joint_velocities&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2603;
+        using report = report_joint_velocities;
+        using type = layout<>;
+    };
 };
 
 /// Query Tool Point: asks for Report Tool Point.
 /// Code 2604h, query class, no body.
 struct query_tool_point {
     friend constexpr bool operator==(const query_tool_point&, const query_tool_point&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2604;
+        using report = struct report_tool_point;
+        using type = layout<>;
+    };
 };
+
+template <std::size_t Capacity> struct basic_report_joint_force_torques;
+using report_joint_force_torques = basic_report_joint_force_torques<255>;
 
 /// Query Joint Force/Torques: asks for Report Joint Force/Torques.
 /// Code 2605h, query class, no body.
 struct query_joint_force_torques {
     friend constexpr bool operator==(const query_joint_force_torques&, const query_joint_force_torques&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2605;
+        using report = report_joint_force_torques;
+        using type = layout<>;
+    };
 };
 
 /// Joint Type of Report Manipulator Specifications.
@@ -171,6 +327,18 @@ struct joint_specification {
     std::uint16_t joint_maximum_value{};    ///< millimetres or milliradians, by the joint's type
     std::uint16_t joint_maximum_velocity{}; ///< thousandths of the joint's unit per second
     friend constexpr bool operator==(const joint_specification&, const joint_specification&) = default;
+
+    struct schema {
+        using T = joint_specification;
+        using type = layout<
+            field<&T::joint_type, enumeration<jaus::joint_type, u8>>,
+            field<&T::link_length, in_units<u16le, millimetres>>,
+            field<&T::twist_angle, in_units<u16le, milliradians>>,
+            field<&T::joint_offset, u16le>,
+            field<&T::joint_minimum_value, u16le>,
+            field<&T::joint_maximum_value, u16le>,
+            field<&T::joint_maximum_velocity, u16le>>;
+    };
 };
 
 /// Report Manipulator Specifications: the manipulator's place on the vehicle and its joints; the last joint comes first
@@ -194,6 +362,27 @@ struct report_manipulator_specifications {
     wire::list<joint_specification> joint{};   ///< joints 1 to n-1
     friend constexpr bool operator==(const report_manipulator_specifications&,
                                      const report_manipulator_specifications&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4600;
+        using query = query_manipulator_specifications;
+        using T = report_manipulator_specifications;
+        using type = layout<
+            field<&T::number_of_joints, u8>,
+            field<&T::joint_n_type, enumeration<joint_type, u8>>,
+            field<&T::joint_n_offset, u16le>,
+            field<&T::joint_n_minimum_value, u16le>,
+            field<&T::joint_n_maximum_value, u16le>,
+            field<&T::joint_n_maximum_velocity, u16le>,
+            field<&T::manipulator_coordinate_system_x, scaled<u32le, manipulator_coordinate>>,
+            field<&T::manipulator_coordinate_system_y, scaled<u32le, manipulator_coordinate>>,
+            field<&T::manipulator_coordinate_system_z, scaled<u32le, manipulator_coordinate>>,
+            field<&T::d_component_of_unit_quaternion_q, scaled<u32le, unit_vector_component>>,
+            field<&T::a_component_of_unit_quaternion_q, scaled<u32le, unit_vector_component>>,
+            field<&T::b_component_of_unit_quaternion_q, scaled<u32le, unit_vector_component>>,
+            field<&T::c_component_of_unit_quaternion_q, scaled<u32le, unit_vector_component>>,
+            repeated<&T::joint, one_less_than<&T::number_of_joints>>>;
+    };
 };
 
 /// Report Joint Efforts: the efforts in force.
@@ -201,8 +390,16 @@ struct report_manipulator_specifications {
 template <std::size_t Capacity> struct basic_report_joint_efforts {
     wire::inline_list<double, Capacity> joint_effort{}; ///< percent, -100 to 100; from joint 1
     friend constexpr bool operator==(const basic_report_joint_efforts&, const basic_report_joint_efforts&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4601;
+        using query = query_joint_efforts;
+        using T = basic_report_joint_efforts<Capacity>;
+        using type = layout<
+            repeated<&T::joint_effort, count<"number_of_joints", u8>,
+                element<"joint", scaled<u16le, signed_percent>>>>;
+    };
 };
-using report_joint_efforts = basic_report_joint_efforts<255>;
 
 /// Report Joint Positions: where the joints are.
 /// Code 4602h, inform class, 1 byte or more.
@@ -210,8 +407,16 @@ template <std::size_t Capacity> struct basic_report_joint_positions {
     wire::inline_list<double, Capacity> joint_position{}; ///< radians, -8 pi to 8 pi; from joint 1
     friend constexpr bool operator==(const basic_report_joint_positions&,
                                      const basic_report_joint_positions&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4602;
+        using query = query_joint_positions;
+        using T = basic_report_joint_positions<Capacity>;
+        using type = layout<
+            repeated<&T::joint_position, count<"number_of_joints", u8>,
+                element<"joint", scaled<u32le, joint_angle>>>>;
+    };
 };
-using report_joint_positions = basic_report_joint_positions<255>;
 
 /// Report Joint Velocities: how fast the joints move.
 /// Code 4603h, inform class, 1 byte or more.
@@ -219,8 +424,16 @@ template <std::size_t Capacity> struct basic_report_joint_velocities {
     wire::inline_list<double, Capacity> joint_velocity{}; ///< radians per second, -10 pi to 10 pi; from joint 1
     friend constexpr bool operator==(const basic_report_joint_velocities&,
                                      const basic_report_joint_velocities&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4603;
+        using query = query_joint_velocities;
+        using T = basic_report_joint_velocities<Capacity>;
+        using type = layout<
+            repeated<&T::joint_velocity, count<"number_of_joints", u8>,
+                element<"joint", scaled<u32le, joint_angular_velocity>>>>;
+    };
 };
-using report_joint_velocities = basic_report_joint_velocities<255>;
 
 /// Report Tool Point: where the tip of the tool is in the end effector's coordinate system.
 /// Code 4604h, inform class, 12 bytes.
@@ -229,6 +442,16 @@ struct report_tool_point {
     double y_coordinate_of_tool_tip{}; ///< metres, -15 to 15
     double z_coordinate_of_tool_tip{}; ///< metres, -15 to 15
     friend constexpr bool operator==(const report_tool_point&, const report_tool_point&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4604;
+        using query = query_tool_point;
+        using T = report_tool_point;
+        using type = layout<
+            field<&T::x_coordinate_of_tool_tip, scaled<u32le, tool_tip_coordinate>>,
+            field<&T::y_coordinate_of_tool_tip, scaled<u32le, tool_tip_coordinate>>,
+            field<&T::z_coordinate_of_tool_tip, scaled<u32le, tool_tip_coordinate>>>;
+    };
 };
 
 /// Report Joint Force/Torques: what the joints are measured to bear.
@@ -237,224 +460,15 @@ template <std::size_t Capacity> struct basic_report_joint_force_torques {
     wire::inline_list<double, Capacity> joint_force_torque{}; ///< newton metres, -1000 to 1000; from joint 1
     friend constexpr bool operator==(const basic_report_joint_force_torques&,
                                      const basic_report_joint_force_torques&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4605;
+        using query = query_joint_force_torques;
+        using T = basic_report_joint_force_torques<Capacity>;
+        using type = layout<
+            repeated<&T::joint_force_torque, count<"number_of_joints", u8>,
+                element<"joint", scaled<u32le, joint_torque>>>>;
+    };
 };
-using report_joint_force_torques = basic_report_joint_force_torques<255>;
 
 } // namespace jauscat::jaus
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <std::size_t Capacity> struct wire::schema<jaus::basic_set_joint_efforts<Capacity>> {
-    static constexpr std::uint16_t command_code = 0x0601;
-    using T = jaus::basic_set_joint_efforts<Capacity>;
-    using type = layout<
-        repeated<&T::joint_effort, count<"number_of_joints", u8>,
-            element<"joint", scaled<u16le, jaus::signed_percent>>>>;
-};
-
-template <std::size_t Capacity> struct wire::schema<jaus::basic_set_joint_positions<Capacity>> {
-    static constexpr std::uint16_t command_code = 0x0602;
-    using T = jaus::basic_set_joint_positions<Capacity>;
-    using type = layout<
-        repeated<&T::joint_position, count<"number_of_joints", u8>,
-            element<"joint", scaled<u32le, jaus::joint_angle>>>>;
-};
-
-template <std::size_t Capacity> struct wire::schema<jaus::basic_set_joint_velocities<Capacity>> {
-    static constexpr std::uint16_t command_code = 0x0603;
-    using T = jaus::basic_set_joint_velocities<Capacity>;
-    using type = layout<
-        repeated<&T::joint_velocity, count<"number_of_joints", u8>,
-            element<"joint", scaled<u32le, jaus::joint_angular_velocity>>>>;
-};
-
-template <> struct wire::schema<jaus::set_tool_point> {
-    static constexpr std::uint16_t command_code = 0x0604;
-    using T = jaus::set_tool_point;
-    using type = layout<
-        field<&T::x_coordinate_of_tool_tip, scaled<u32le, jaus::tool_tip_coordinate>>,
-        field<&T::y_coordinate_of_tool_tip, scaled<u32le, jaus::tool_tip_coordinate>>,
-        field<&T::z_coordinate_of_tool_tip, scaled<u32le, jaus::tool_tip_coordinate>>>;
-};
-
-template <> struct wire::schema<jaus::set_end_effector_pose> {
-    static constexpr std::uint16_t command_code = 0x0605;
-    using T = jaus::set_end_effector_pose;
-    using type = layout<
-        field<&T::x_component_of_tool_point, scaled<u32le, jaus::manipulator_coordinate>>,
-        field<&T::y_component_of_tool_point, scaled<u32le, jaus::manipulator_coordinate>>,
-        field<&T::z_component_of_tool_point, scaled<u32le, jaus::manipulator_coordinate>>,
-        field<&T::d_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
-        field<&T::a_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
-        field<&T::b_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
-        field<&T::c_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>>;
-};
-
-template <> struct wire::schema<jaus::set_end_effector_velocity_state> {
-    static constexpr std::uint16_t command_code = 0x0606;
-    using T = jaus::set_end_effector_velocity_state;
-    using type = layout<
-        field<&T::coordinate_system, enumeration<jaus::end_effector_coordinate_system, u8>>,
-        field<&T::angular_velocity_x, scaled<u32le, jaus::end_effector_angular_velocity>>,
-        field<&T::angular_velocity_y, scaled<u32le, jaus::end_effector_angular_velocity>>,
-        field<&T::angular_velocity_z, scaled<u32le, jaus::end_effector_angular_velocity>>,
-        field<&T::linear_velocity_x, scaled<u32le, jaus::end_effector_linear_velocity>>,
-        field<&T::linear_velocity_y, scaled<u32le, jaus::end_effector_linear_velocity>>,
-        field<&T::linear_velocity_z, scaled<u32le, jaus::end_effector_linear_velocity>>>;
-};
-
-template <> struct wire::schema<jaus::joint_motion> {
-    using T = jaus::joint_motion;
-    using type = layout<
-        field<&T::joint_position, scaled<u32le, jaus::joint_angle>>,
-        field<&T::joint_maximum_velocity, scaled<u32le, jaus::joint_angular_velocity>>,
-        field<&T::joint_maximum_acceleration, scaled<u32le, jaus::joint_angular_acceleration>>,
-        field<&T::joint_maximum_deceleration, scaled<u32le, jaus::joint_angular_acceleration>>>;
-};
-
-template <> struct wire::schema<jaus::joint_motion_pose> {
-    using T = jaus::joint_motion_pose;
-    using type = layout<
-        field<&T::pose_time, scaled<u32le, jaus::pose_duration>>,
-        repeated<&T::joint, counted_by<&jaus::set_joint_motion::number_of_joints>>>;
-};
-
-template <> struct wire::schema<jaus::set_joint_motion> {
-    static constexpr std::uint16_t command_code = 0x0607;
-    using T = jaus::set_joint_motion;
-    using type = layout<
-        field<&T::number_of_joints, u8>,
-        repeated<&T::pose, count<"number_of_poses", u8>>>;
-};
-
-template <> struct wire::schema<jaus::end_effector_path_pose> {
-    using T = jaus::end_effector_path_pose;
-    using type = layout<
-        field<&T::pose_time, scaled<u32le, jaus::pose_duration>>,
-        field<&T::x_component_of_tool_point, scaled<u32le, jaus::manipulator_coordinate>>,
-        field<&T::y_component_of_tool_point, scaled<u32le, jaus::manipulator_coordinate>>,
-        field<&T::z_component_of_tool_point, scaled<u32le, jaus::manipulator_coordinate>>,
-        field<&T::d_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
-        field<&T::a_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
-        field<&T::b_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
-        field<&T::c_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>>;
-};
-
-template <> struct wire::schema<jaus::set_end_effector_path_motion> {
-    static constexpr std::uint16_t command_code = 0x0608;
-    using T = jaus::set_end_effector_path_motion;
-    using type = layout<repeated<&T::pose, count<"number_of_poses", u8>>>;
-};
-
-template <> struct wire::schema<jaus::query_manipulator_specifications> {
-    static constexpr std::uint16_t command_code = 0x2600;
-    using report = jaus::report_manipulator_specifications;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::query_joint_efforts> {
-    static constexpr std::uint16_t command_code = 0x2601;
-    using report = jaus::report_joint_efforts;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::query_joint_positions> {
-    static constexpr std::uint16_t command_code = 0x2602;
-    using report = jaus::report_joint_positions;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::query_joint_velocities> {
-    static constexpr std::uint16_t command_code = 0x2603;
-    using report = jaus::report_joint_velocities;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::query_tool_point> {
-    static constexpr std::uint16_t command_code = 0x2604;
-    using report = jaus::report_tool_point;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::query_joint_force_torques> {
-    static constexpr std::uint16_t command_code = 0x2605;
-    using report = jaus::report_joint_force_torques;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::joint_specification> {
-    using T = jaus::joint_specification;
-    using type = layout<
-        field<&T::joint_type, enumeration<jaus::joint_type, u8>>,
-        field<&T::link_length, in_units<u16le, jaus::millimetres>>,
-        field<&T::twist_angle, in_units<u16le, jaus::milliradians>>,
-        field<&T::joint_offset, u16le>,
-        field<&T::joint_minimum_value, u16le>,
-        field<&T::joint_maximum_value, u16le>,
-        field<&T::joint_maximum_velocity, u16le>>;
-};
-
-template <> struct wire::schema<jaus::report_manipulator_specifications> {
-    static constexpr std::uint16_t command_code = 0x4600;
-    using query = jaus::query_manipulator_specifications;
-    using T = jaus::report_manipulator_specifications;
-    using type = layout<
-        field<&T::number_of_joints, u8>,
-        field<&T::joint_n_type, enumeration<jaus::joint_type, u8>>,
-        field<&T::joint_n_offset, u16le>,
-        field<&T::joint_n_minimum_value, u16le>,
-        field<&T::joint_n_maximum_value, u16le>,
-        field<&T::joint_n_maximum_velocity, u16le>,
-        field<&T::manipulator_coordinate_system_x, scaled<u32le, jaus::manipulator_coordinate>>,
-        field<&T::manipulator_coordinate_system_y, scaled<u32le, jaus::manipulator_coordinate>>,
-        field<&T::manipulator_coordinate_system_z, scaled<u32le, jaus::manipulator_coordinate>>,
-        field<&T::d_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
-        field<&T::a_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
-        field<&T::b_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
-        field<&T::c_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
-        repeated<&T::joint, one_less_than<&T::number_of_joints>>>;
-};
-
-template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_efforts<Capacity>> {
-    static constexpr std::uint16_t command_code = 0x4601;
-    using query = jaus::query_joint_efforts;
-    using T = jaus::basic_report_joint_efforts<Capacity>;
-    using type = layout<
-        repeated<&T::joint_effort, count<"number_of_joints", u8>,
-            element<"joint", scaled<u16le, jaus::signed_percent>>>>;
-};
-
-template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_positions<Capacity>> {
-    static constexpr std::uint16_t command_code = 0x4602;
-    using query = jaus::query_joint_positions;
-    using T = jaus::basic_report_joint_positions<Capacity>;
-    using type = layout<
-        repeated<&T::joint_position, count<"number_of_joints", u8>,
-            element<"joint", scaled<u32le, jaus::joint_angle>>>>;
-};
-
-template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_velocities<Capacity>> {
-    static constexpr std::uint16_t command_code = 0x4603;
-    using query = jaus::query_joint_velocities;
-    using T = jaus::basic_report_joint_velocities<Capacity>;
-    using type = layout<
-        repeated<&T::joint_velocity, count<"number_of_joints", u8>,
-            element<"joint", scaled<u32le, jaus::joint_angular_velocity>>>>;
-};
-
-template <> struct wire::schema<jaus::report_tool_point> {
-    static constexpr std::uint16_t command_code = 0x4604;
-    using query = jaus::query_tool_point;
-    using T = jaus::report_tool_point;
-    using type = layout<
-        field<&T::x_coordinate_of_tool_tip, scaled<u32le, jaus::tool_tip_coordinate>>,
-        field<&T::y_coordinate_of_tool_tip, scaled<u32le, jaus::tool_tip_coordinate>>,
-        field<&T::z_coordinate_of_tool_tip, scaled<u32le, jaus::tool_tip_coordinate>>>;
-};
-
-template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_force_torques<Capacity>> {
-    static constexpr std::uint16_t command_code = 0x4605;
-    using query = jaus::query_joint_force_torques;
-    using T = jaus::basic_report_joint_force_torques<Capacity>;
-    using type = layout<
-        repeated<&T::joint_force_torque, count<"number_of_joints", u8>,
-            element<"joint", scaled<u32le, jaus::joint_torque>>>>;
-};
-
-} // namespace jauscat

@@ -6,15 +6,13 @@
 #include <jauscat/schema/jaus/environment_sensor.hpp>
 #include <jauscat/schema/jaus/event.hpp>
 #include <jauscat/schema/jaus/manipulator.hpp>
+#include <jauscat/schema/jaus/message_list.hpp>
 #include <jauscat/schema/jaus/payload.hpp>
 #include <jauscat/schema/jaus/planning.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/schema/jaus/world_model.hpp>
 
 namespace jauscat::jaus {
-
-/// Message types, for code that is the same for each of them.
-template <class... Messages> struct message_list {};
 
 // One line per message, by command code.
 // clang-format off

@@ -3,13 +3,24 @@
 #include <jauscat/schema/jaus/header.hpp>
 #include <jauscat/wire/schema.hpp>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::jaus {
+
+using namespace wire::items;
 
 /// A whole JAUS message inside another. 16 bytes or more.
 struct embedded_message {
     jaus::header header{}; ///< its data_size says how long the body is
     wire::blob body{};     ///< bytes of the body
     friend constexpr bool operator==(const embedded_message&, const embedded_message&) = default;
+
+    struct schema {
+        using T = embedded_message;
+        using type = layout<
+            nested<&T::header>,
+            bytes<&T::body, counted_by<&T::header, &jaus::header::data_size>>>;
+    };
 };
 
 /// One message of a mission task. 19 bytes or more. A peer prints the blocking flag's meaning the other way round.
@@ -18,6 +29,15 @@ struct mission_command {
     embedded_message message{};   ///< what is to be sent
     std::uint8_t blocking_flag{}; ///< 0: the next message may go at once, 1: it waits for this one
     friend constexpr bool operator==(const mission_command&, const mission_command&) = default;
+
+    struct schema {
+        using T = mission_command;
+        static constexpr std::string_view field_name = "mission_message"; // of the record in each element of a group
+        using type = layout<
+            field<&T::message_uid, u16le>,
+            nested<&T::message>,
+            field<&T::blocking_flag, u8>>;
+    };
 };
 
 /// A node of the mission tree. 6 bytes or more, its children not counted. A peer's child offsets below the first level
@@ -28,6 +48,15 @@ struct mission_task {
     wire::list<std::uint32_t> offset{};    ///< byte of the body at which each child starts
     wire::list<mission_command> message{}; ///< the task's own messages, in the order of sending
     friend constexpr bool operator==(const mission_task&, const mission_task&) = default;
+
+    struct schema {
+        using T = mission_task;
+        using type = layout<
+            field<&T::task_id, u16le>,
+            field<&T::number_of_children, u16le>,
+            repeated<&T::offset, counted_by<&T::number_of_children>, element<"child_offset", u32le>>,
+            repeated<&T::message, count<"number_of_messages", u16le>>>;
+    };
 };
 
 /// Append Flag of Spool Mission.
@@ -43,12 +72,27 @@ struct spool_mission {
     jaus::append_flag append_flag{};         ///< what becomes of the mission at hand
     wire::list<mission_task> mission_tree{}; ///< depth first: each task is followed by its children, left to right
     friend constexpr bool operator==(const spool_mission&, const spool_mission&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0E00;
+        using T = spool_mission;
+        using type = layout<
+            field<&T::mission_id, u16le>,
+            field<&T::append_flag, enumeration<jaus::append_flag, u8>>,
+            tree<&T::mission_tree, &mission_task::number_of_children, 16>>;
+    };
 };
 
 /// Run Mission: starts a spooled mission. Code 0E01h, command class, 2 bytes.
 struct run_mission {
     std::uint16_t mission_id{}; ///< the mission to start
     friend constexpr bool operator==(const run_mission&, const run_mission&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0E01;
+        using T = run_mission;
+        using type = layout<field<&T::mission_id, u16le>>;
+    };
 };
 
 /// Abort Mission: ends a mission or one of its tasks. Code 0E02h, command class, 4 bytes.
@@ -56,6 +100,14 @@ struct abort_mission {
     std::uint16_t mission_id{}; ///< the mission
     std::uint16_t task_id{};    ///< the task, 0 for the whole mission
     friend constexpr bool operator==(const abort_mission&, const abort_mission&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0E02;
+        using T = abort_mission;
+        using type = layout<
+            field<&T::mission_id, u16le>,
+            field<&T::task_id, u16le>>;
+    };
 };
 
 /// Pause Mission: holds a mission or one of its tasks. Code 0E03h, command class, 4 bytes.
@@ -63,6 +115,14 @@ struct pause_mission {
     std::uint16_t mission_id{}; ///< the mission
     std::uint16_t task_id{};    ///< the task, 0 for the whole mission
     friend constexpr bool operator==(const pause_mission&, const pause_mission&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0E03;
+        using T = pause_mission;
+        using type = layout<
+            field<&T::mission_id, u16le>,
+            field<&T::task_id, u16le>>;
+    };
 };
 
 /// Resume Mission: continues a paused mission or task. Code 0E04h, command class, 4 bytes.
@@ -70,6 +130,14 @@ struct resume_mission {
     std::uint16_t mission_id{}; ///< the mission
     std::uint16_t task_id{};    ///< the task, 0 for the whole mission
     friend constexpr bool operator==(const resume_mission&, const resume_mission&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0E04;
+        using T = resume_mission;
+        using type = layout<
+            field<&T::mission_id, u16le>,
+            field<&T::task_id, u16le>>;
+    };
 };
 
 /// Remove Messages: takes messages out of a spooled task.
@@ -79,6 +147,15 @@ struct remove_messages {
     std::uint16_t task_id{};                 ///< the task
     wire::list<std::uint16_t> message_uid{}; ///< the messages to remove
     friend constexpr bool operator==(const remove_messages&, const remove_messages&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0E05;
+        using T = remove_messages;
+        using type = layout<
+            field<&T::mission_id, u16le>,
+            field<&T::task_id, u16le>,
+            repeated<&T::message_uid, count<"number_of_messages", u16le>, element<"message", u16le>>>;
+    };
 };
 
 /// Replace Messages: exchanges messages of a spooled task for others.
@@ -89,12 +166,28 @@ struct replace_messages {
     wire::list<std::uint16_t> message_uid{};        ///< the messages to remove
     wire::list<mission_command> inserted_message{}; ///< the messages to put in their place
     friend constexpr bool operator==(const replace_messages&, const replace_messages&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0E06;
+        using T = replace_messages;
+        using type = layout<
+            field<&T::mission_id, u16le>,
+            field<&T::task_id, u16le>,
+            repeated<&T::message_uid, count<"number_of_messages_to_remove", u16le>, element<"removed_message", u16le>>,
+            repeated<&T::inserted_message, count<"number_of_messages_to_insert", u16le>>>;
+    };
 };
 
 /// Query Spooling Preference: asks for Report Spooling Preference.
 /// Code 2E00h, query class, no body.
 struct query_spooling_preference {
     friend constexpr bool operator==(const query_spooling_preference&, const query_spooling_preference&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2E00;
+        using report = struct report_spooling_preference;
+        using type = layout<>;
+    };
 };
 
 /// Type of Query Mission Status and Report Mission Status: what the status is of.
@@ -114,6 +207,18 @@ struct query_mission_status {
     std::uint16_t task_id{};          ///< the task
     std::uint16_t message_uid{};      ///< the message
     friend constexpr bool operator==(const query_mission_status&, const query_mission_status&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2E01;
+        using report = struct report_mission_status;
+        using T = query_mission_status;
+        using type = layout<
+            field<&T::presence_vector, u8>,
+            field<&T::type, enumeration<mission_status_type, u8>>,
+            field<&T::mission_id, u16le>,
+            field<&T::task_id, u16le>,
+            field<&T::message_uid, u16le>>;
+    };
 };
 
 /// Spooling Preference Type of Report Spooling Preference.
@@ -129,6 +234,15 @@ struct report_spooling_preference {
     jaus::spooling_preference_type spooling_preference_type{}; ///< what data counts
     std::int32_t data{};                                       ///< messages, metres or seconds, by the type
     friend constexpr bool operator==(const report_spooling_preference&, const report_spooling_preference&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4E00;
+        using query = query_spooling_preference;
+        using T = report_spooling_preference;
+        using type = layout<
+            field<&T::spooling_preference_type, enumeration<jaus::spooling_preference_type, u8>>,
+            field<&T::data, i32le>>;
+    };
 };
 
 /// Status of Report Mission Status.
@@ -157,134 +271,19 @@ struct report_mission_status {
     std::uint16_t task_id{};                           ///< the task
     std::uint16_t message_uid{};                       ///< the message
     friend constexpr bool operator==(const report_mission_status&, const report_mission_status&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4E01;
+        using query = query_mission_status;
+        using T = report_mission_status;
+        using type = layout<
+            field<&T::type, enumeration<mission_status_type, u8>>,
+            field<&T::status, enumeration<mission_status, u8>>,
+            field<&T::secondary_status, enumeration<mission_secondary_status, u8>>,
+            field<&T::mission_id, u16le>,
+            field<&T::task_id, u16le>,
+            field<&T::message_uid, u16le>>;
+    };
 };
 
 } // namespace jauscat::jaus
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<jaus::embedded_message> {
-    using T = jaus::embedded_message;
-    using type = layout<
-        nested<&T::header>,
-        bytes<&T::body, counted_by<&T::header, &jaus::header::data_size>>>;
-};
-
-template <> struct wire::schema<jaus::mission_command> {
-    using T = jaus::mission_command;
-    static constexpr std::string_view field_name = "mission_message"; // of the record in each element of a group
-    using type = layout<
-        field<&T::message_uid, u16le>,
-        nested<&T::message>,
-        field<&T::blocking_flag, u8>>;
-};
-
-template <> struct wire::schema<jaus::mission_task> {
-    using T = jaus::mission_task;
-    using type = layout<
-        field<&T::task_id, u16le>,
-        field<&T::number_of_children, u16le>,
-        repeated<&T::offset, counted_by<&T::number_of_children>, element<"child_offset", u32le>>,
-        repeated<&T::message, count<"number_of_messages", u16le>>>;
-};
-
-template <> struct wire::schema<jaus::spool_mission> {
-    static constexpr std::uint16_t command_code = 0x0E00;
-    using T = jaus::spool_mission;
-    using type = layout<
-        field<&T::mission_id, u16le>,
-        field<&T::append_flag, enumeration<jaus::append_flag, u8>>,
-        tree<&T::mission_tree, &jaus::mission_task::number_of_children, 16>>;
-};
-
-template <> struct wire::schema<jaus::run_mission> {
-    static constexpr std::uint16_t command_code = 0x0E01;
-    using T = jaus::run_mission;
-    using type = layout<field<&T::mission_id, u16le>>;
-};
-
-template <> struct wire::schema<jaus::abort_mission> {
-    static constexpr std::uint16_t command_code = 0x0E02;
-    using T = jaus::abort_mission;
-    using type = layout<
-        field<&T::mission_id, u16le>,
-        field<&T::task_id, u16le>>;
-};
-
-template <> struct wire::schema<jaus::pause_mission> {
-    static constexpr std::uint16_t command_code = 0x0E03;
-    using T = jaus::pause_mission;
-    using type = layout<
-        field<&T::mission_id, u16le>,
-        field<&T::task_id, u16le>>;
-};
-
-template <> struct wire::schema<jaus::resume_mission> {
-    static constexpr std::uint16_t command_code = 0x0E04;
-    using T = jaus::resume_mission;
-    using type = layout<
-        field<&T::mission_id, u16le>,
-        field<&T::task_id, u16le>>;
-};
-
-template <> struct wire::schema<jaus::remove_messages> {
-    static constexpr std::uint16_t command_code = 0x0E05;
-    using T = jaus::remove_messages;
-    using type = layout<
-        field<&T::mission_id, u16le>,
-        field<&T::task_id, u16le>,
-        repeated<&T::message_uid, count<"number_of_messages", u16le>, element<"message", u16le>>>;
-};
-
-template <> struct wire::schema<jaus::replace_messages> {
-    static constexpr std::uint16_t command_code = 0x0E06;
-    using T = jaus::replace_messages;
-    using type = layout<
-        field<&T::mission_id, u16le>,
-        field<&T::task_id, u16le>,
-        repeated<&T::message_uid, count<"number_of_messages_to_remove", u16le>, element<"removed_message", u16le>>,
-        repeated<&T::inserted_message, count<"number_of_messages_to_insert", u16le>>>;
-};
-
-template <> struct wire::schema<jaus::query_spooling_preference> {
-    static constexpr std::uint16_t command_code = 0x2E00;
-    using report = jaus::report_spooling_preference;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::query_mission_status> {
-    static constexpr std::uint16_t command_code = 0x2E01;
-    using report = jaus::report_mission_status;
-    using T = jaus::query_mission_status;
-    using type = layout<
-        field<&T::presence_vector, u8>,
-        field<&T::type, enumeration<jaus::mission_status_type, u8>>,
-        field<&T::mission_id, u16le>,
-        field<&T::task_id, u16le>,
-        field<&T::message_uid, u16le>>;
-};
-
-template <> struct wire::schema<jaus::report_spooling_preference> {
-    static constexpr std::uint16_t command_code = 0x4E00;
-    using query = jaus::query_spooling_preference;
-    using T = jaus::report_spooling_preference;
-    using type = layout<
-        field<&T::spooling_preference_type, enumeration<jaus::spooling_preference_type, u8>>,
-        field<&T::data, i32le>>;
-};
-
-template <> struct wire::schema<jaus::report_mission_status> {
-    static constexpr std::uint16_t command_code = 0x4E01;
-    using query = jaus::query_mission_status;
-    using T = jaus::report_mission_status;
-    using type = layout<
-        field<&T::type, enumeration<jaus::mission_status_type, u8>>,
-        field<&T::status, enumeration<jaus::mission_status, u8>>,
-        field<&T::secondary_status, enumeration<jaus::mission_secondary_status, u8>>,
-        field<&T::mission_id, u16le>,
-        field<&T::task_id, u16le>,
-        field<&T::message_uid, u16le>>;
-};
-
-} // namespace jauscat

@@ -5,7 +5,11 @@
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/wire/schema.hpp>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::jaus {
+
+using namespace wire::items;
 
 /// Set Velocity State: moves the platform at the given velocities.
 /// Code 0404h, command class, 2 to 30 bytes. Not in RA 3.3 but an experimental message of known peers.
@@ -20,6 +24,22 @@ struct set_velocity_state {
     std::optional<double> rate_rms{};             ///< radians per second, 0 to pi
     std::optional<jaus::time_stamp> time_stamp{}; ///< time of the command
     friend constexpr bool operator==(const set_velocity_state&, const set_velocity_state&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0404;
+        using T = set_velocity_state;
+        using type = layout<
+            presence<u16le,
+                field<&T::velocity_x, scaled<i32le, velocity_range>>,
+                field<&T::velocity_y, scaled<i32le, velocity_range>>,
+                field<&T::velocity_z, scaled<i32le, velocity_range>>,
+                field<&T::velocity_rms, scaled<u32le, velocity_error>>,
+                field<&T::roll_rate, scaled<i16le, angular_rate>>,
+                field<&T::pitch_rate, scaled<i16le, angular_rate>>,
+                field<&T::yaw_rate, scaled<i16le, angular_rate>>,
+                field<&T::rate_rms, scaled<u16le, angular_rate_error>>,
+                nested<&T::time_stamp>>>;
+    };
 };
 
 /// Set Wrench Effort: drives the platform's actuators open-loop, in percent of their capability.
@@ -38,6 +58,25 @@ struct set_wrench_effort {
     std::optional<double> resistive_rotational_effort_y{};  ///< percent, 0 to 100
     std::optional<double> resistive_rotational_effort_z{};  ///< percent, 0 to 100
     friend constexpr bool operator==(const set_wrench_effort&, const set_wrench_effort&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0405;
+        using T = set_wrench_effort;
+        using type = layout<
+            presence<u16le,
+                field<&T::propulsive_linear_effort_x, scaled<i16le, signed_percent>>,
+                field<&T::propulsive_linear_effort_y, scaled<i16le, signed_percent>>,
+                field<&T::propulsive_linear_effort_z, scaled<i16le, signed_percent>>,
+                field<&T::propulsive_rotational_effort_x, scaled<i16le, signed_percent>>,
+                field<&T::propulsive_rotational_effort_y, scaled<i16le, signed_percent>>,
+                field<&T::propulsive_rotational_effort_z, scaled<i16le, signed_percent>>,
+                field<&T::resistive_linear_effort_x, scaled<u8, percent>>,
+                field<&T::resistive_linear_effort_y, scaled<u8, percent>>,
+                field<&T::resistive_linear_effort_z, scaled<u8, percent>>,
+                field<&T::resistive_rotational_effort_x, scaled<u8, percent>>,
+                field<&T::resistive_rotational_effort_y, scaled<u8, percent>>,
+                field<&T::resistive_rotational_effort_z, scaled<u8, percent>>>>;
+    };
 };
 
 /// What Main Propulsion switches on. Bit numbers.
@@ -77,6 +116,17 @@ struct set_discrete_devices {
     std::optional<jaus::gear> gear{};                                                    ///< gear to engage
     std::optional<jaus::transfer_case> transfer_case{};                                  ///< transfer case to engage
     friend constexpr bool operator==(const set_discrete_devices&, const set_discrete_devices&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0406;
+        using T = set_discrete_devices;
+        using type = layout<
+            presence<u8,
+                field<&T::main_propulsion, bit_set_codec<main_propulsion_device, u8>>,
+                field<&T::parking_brake_and_horn, bit_set_codec<jaus::parking_brake_and_horn, u8>>,
+                field<&T::gear, enumeration<jaus::gear, u8>>,
+                field<&T::transfer_case, enumeration<jaus::transfer_case, u8>>>>;
+    };
 };
 
 /// Set Global Vector: sets speed, elevation, heading and attitude to hold.
@@ -88,6 +138,18 @@ struct set_global_vector {
     std::optional<double> desired_roll{};      ///< radians, -pi to pi
     std::optional<double> desired_pitch{};     ///< radians, -pi to pi
     friend constexpr bool operator==(const set_global_vector&, const set_global_vector&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0407;
+        using T = set_global_vector;
+        using type = layout<
+            presence<u8,
+                field<&T::desired_speed, scaled<u16le, speed_limit>>,
+                field<&T::desired_elevation, scaled<i32le, elevation_range>>,
+                field<&T::desired_heading, scaled<i16le, signed_angle>>,
+                field<&T::desired_roll, scaled<i16le, signed_angle>>,
+                field<&T::desired_pitch, scaled<i16le, signed_angle>>>>;
+    };
 };
 
 /// Set Local Vector: sets speed and heading to hold.
@@ -96,6 +158,14 @@ struct set_local_vector {
     double desired_speed{};   ///< metres per second, 0 to 10000
     double desired_heading{}; ///< radians, -pi to pi
     friend constexpr bool operator==(const set_local_vector&, const set_local_vector&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0408;
+        using T = set_local_vector;
+        using type = layout<
+            field<&T::desired_speed, scaled<i32le, speed_limit>>,
+            field<&T::desired_heading, scaled<i16le, signed_angle>>>;
+    };
 };
 
 /// Set Travel Speed: sets the speed to travel at.
@@ -103,6 +173,12 @@ struct set_local_vector {
 struct set_travel_speed {
     double desired_speed{}; ///< metres per second, 0 to 10000
     friend constexpr bool operator==(const set_travel_speed&, const set_travel_speed&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x040A;
+        using T = set_travel_speed;
+        using type = layout<field<&T::desired_speed, scaled<u16le, speed_limit>>>;
+    };
 };
 
 /// Set Global Waypoint: gives a waypoint by latitude and longitude.
@@ -116,6 +192,20 @@ struct set_global_waypoint {
     std::optional<double> desired_pitch{}; ///< radians, -pi to pi
     std::optional<double> desired_yaw{};   ///< radians, -pi to pi
     friend constexpr bool operator==(const set_global_waypoint&, const set_global_waypoint&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x040C;
+        using T = set_global_waypoint;
+        using type = layout<
+            presence<u8,
+                field<&T::waypoint_number, u16le>,
+                field<&T::latitude, scaled<i32le, latitude_range>>,
+                field<&T::longitude, scaled<i32le, longitude_range>>,
+                field<&T::altitude, scaled<i32le, elevation_range>>,
+                field<&T::desired_roll, scaled<i16le, signed_angle>>,
+                field<&T::desired_pitch, scaled<i16le, signed_angle>>,
+                field<&T::desired_yaw, scaled<i16le, signed_angle>>>>;
+    };
 };
 
 /// Set Local Waypoint: gives a waypoint in local coordinates.
@@ -129,6 +219,20 @@ struct set_local_waypoint {
     std::optional<double> desired_pitch{}; ///< radians, -pi to pi
     std::optional<double> desired_yaw{};   ///< radians, -pi to pi
     friend constexpr bool operator==(const set_local_waypoint&, const set_local_waypoint&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x040D;
+        using T = set_local_waypoint;
+        using type = layout<
+            presence<u8,
+                field<&T::waypoint_number, u16le>,
+                field<&T::waypoint_x, scaled<i32le, local_coordinate>>,
+                field<&T::waypoint_y, scaled<i32le, local_coordinate>>,
+                field<&T::waypoint_z, scaled<i32le, elevation_range>>,
+                field<&T::desired_roll, scaled<i16le, signed_angle>>,
+                field<&T::desired_pitch, scaled<i16le, signed_angle>>,
+                field<&T::desired_yaw, scaled<i16le, signed_angle>>>>;
+    };
 };
 
 /// Set Global Path Segment: gives a path segment by latitude and longitude.
@@ -143,6 +247,21 @@ struct set_global_path_segment {
     std::optional<double> p2_altitude{}; ///< metres, -10000 to 35000
     double weighting_factor{};           ///< 0 to 500
     friend constexpr bool operator==(const set_global_path_segment&, const set_global_path_segment&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x040F;
+        using T = set_global_path_segment;
+        using type = layout<
+            presence<u8,
+                field<&T::path_segment_number, u16le>,
+                field<&T::p1_latitude, scaled<i32le, latitude_range>>,
+                field<&T::p1_longitude, scaled<i32le, longitude_range>>,
+                field<&T::p1_altitude, scaled<i32le, elevation_range>>,
+                field<&T::p2_latitude, scaled<i32le, latitude_range>>,
+                field<&T::p2_longitude, scaled<i32le, longitude_range>>,
+                field<&T::p2_altitude, scaled<i32le, elevation_range>>,
+                field<&T::weighting_factor, scaled<u16le, path_weight>>>>;
+    };
 };
 
 /// Set Local Path Segment: gives a path segment in local coordinates.
@@ -157,6 +276,21 @@ struct set_local_path_segment {
     std::optional<double> p2_z{};        ///< metres, -10000 to 35000
     double weighting_factor{};           ///< 0 to 500
     friend constexpr bool operator==(const set_local_path_segment&, const set_local_path_segment&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0410;
+        using T = set_local_path_segment;
+        using type = layout<
+            presence<u8,
+                field<&T::path_segment_number, u16le>,
+                field<&T::p1_x, scaled<i32le, local_coordinate>>,
+                field<&T::p1_y, scaled<i32le, local_coordinate>>,
+                field<&T::p1_z, scaled<i32le, elevation_range>>,
+                field<&T::p2_x, scaled<i32le, local_coordinate>>,
+                field<&T::p2_y, scaled<i32le, local_coordinate>>,
+                field<&T::p2_z, scaled<i32le, elevation_range>>,
+                field<&T::weighting_factor, scaled<u16le, path_weight>>>>;
+    };
 };
 
 /// Query Platform Specifications: asks for size, balance and limits of the platform.
@@ -165,6 +299,13 @@ struct query_platform_specifications {
     std::uint32_t presence_vector{}; ///< the requested fields of Report Platform Specifications
     friend constexpr bool operator==(const query_platform_specifications&,
                                      const query_platform_specifications&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2400;
+        using report = struct report_platform_specifications;
+        using T = query_platform_specifications;
+        using type = layout<field<&T::presence_vector, u32le>>;
+    };
 };
 
 /// Query Platform Operational Data: asks for the gauges of the platform.
@@ -173,6 +314,13 @@ struct query_platform_operational_data {
     std::uint8_t presence_vector{}; ///< the requested fields of Report Platform Operational Data
     friend constexpr bool operator==(const query_platform_operational_data&,
                                      const query_platform_operational_data&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2401;
+        using report = struct report_platform_operational_data;
+        using T = query_platform_operational_data;
+        using type = layout<field<&T::presence_vector, u8>>;
+    };
 };
 
 /// Query Global Pose: asks for position by latitude and longitude, and attitude.
@@ -180,6 +328,13 @@ struct query_platform_operational_data {
 struct query_global_pose {
     std::uint16_t presence_vector{}; ///< the requested fields of Report Global Pose
     friend constexpr bool operator==(const query_global_pose&, const query_global_pose&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2402;
+        using report = struct report_global_pose;
+        using T = query_global_pose;
+        using type = layout<field<&T::presence_vector, u16le>>;
+    };
 };
 
 /// Query Local Pose: asks for position and attitude in local coordinates.
@@ -187,6 +342,13 @@ struct query_global_pose {
 struct query_local_pose {
     std::uint16_t presence_vector{}; ///< the requested fields of Report Local Pose
     friend constexpr bool operator==(const query_local_pose&, const query_local_pose&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2403;
+        using report = struct report_local_pose;
+        using T = query_local_pose;
+        using type = layout<field<&T::presence_vector, u16le>>;
+    };
 };
 
 /// Query Velocity State: asks for the velocities of the platform.
@@ -194,6 +356,13 @@ struct query_local_pose {
 struct query_velocity_state {
     std::uint16_t presence_vector{}; ///< the requested fields of Report Velocity State
     friend constexpr bool operator==(const query_velocity_state&, const query_velocity_state&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2404;
+        using report = struct report_velocity_state;
+        using T = query_velocity_state;
+        using type = layout<field<&T::presence_vector, u16le>>;
+    };
 };
 
 /// Query Wrench Effort: asks for the efforts in force.
@@ -201,6 +370,13 @@ struct query_velocity_state {
 struct query_wrench_effort {
     std::uint16_t presence_vector{}; ///< the requested fields of Report Wrench Effort
     friend constexpr bool operator==(const query_wrench_effort&, const query_wrench_effort&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2405;
+        using report = struct report_wrench_effort;
+        using T = query_wrench_effort;
+        using type = layout<field<&T::presence_vector, u16le>>;
+    };
 };
 
 /// Query Discrete Devices: asks for the state of engine, brake, horn, gear and transfer case.
@@ -208,6 +384,13 @@ struct query_wrench_effort {
 struct query_discrete_devices {
     std::uint8_t presence_vector{}; ///< the requested fields of Report Discrete Devices
     friend constexpr bool operator==(const query_discrete_devices&, const query_discrete_devices&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2406;
+        using report = struct report_discrete_devices;
+        using T = query_discrete_devices;
+        using type = layout<field<&T::presence_vector, u8>>;
+    };
 };
 
 /// Query Global Vector: asks for the global vector in force.
@@ -215,24 +398,49 @@ struct query_discrete_devices {
 struct query_global_vector {
     std::uint8_t presence_vector{}; ///< the requested fields of Report Global Vector
     friend constexpr bool operator==(const query_global_vector&, const query_global_vector&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2407;
+        using report = struct report_global_vector;
+        using T = query_global_vector;
+        using type = layout<field<&T::presence_vector, u8>>;
+    };
 };
 
 /// Query Local Vector: asks for the local vector in force.
 /// Code 2408h, query class, no body.
 struct query_local_vector {
     friend constexpr bool operator==(const query_local_vector&, const query_local_vector&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2408;
+        using report = struct report_local_vector;
+        using type = layout<>;
+    };
 };
 
 /// Query Travel Speed: asks for the speed to travel at.
 /// Code 240Ah, query class, no body.
 struct query_travel_speed {
     friend constexpr bool operator==(const query_travel_speed&, const query_travel_speed&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x240A;
+        using report = struct report_travel_speed;
+        using type = layout<>;
+    };
 };
 
 /// Query Waypoint Count: requests the number of waypoints.
 /// Code 240Bh, query class, no body.
 struct query_waypoint_count {
     friend constexpr bool operator==(const query_waypoint_count&, const query_waypoint_count&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x240B;
+        using report = struct report_waypoint_count;
+        using type = layout<>;
+    };
 };
 
 /// Query Global Waypoint: asks for a waypoint by latitude and longitude.
@@ -240,6 +448,13 @@ struct query_waypoint_count {
 struct query_global_waypoint {
     std::uint16_t waypoint_number{}; ///< which waypoint
     friend constexpr bool operator==(const query_global_waypoint&, const query_global_waypoint&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x240C;
+        using report = struct report_global_waypoint;
+        using T = query_global_waypoint;
+        using type = layout<field<&T::waypoint_number, u16le>>;
+    };
 };
 
 /// Query Local Waypoint: asks for a waypoint in local coordinates.
@@ -247,12 +462,25 @@ struct query_global_waypoint {
 struct query_local_waypoint {
     std::uint16_t waypoint_number{}; ///< which waypoint
     friend constexpr bool operator==(const query_local_waypoint&, const query_local_waypoint&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x240D;
+        using report = struct report_local_waypoint;
+        using T = query_local_waypoint;
+        using type = layout<field<&T::waypoint_number, u16le>>;
+    };
 };
 
 /// Query Path Segment Count: requests the number of path segments.
 /// Code 240Eh, query class, no body.
 struct query_path_segment_count {
     friend constexpr bool operator==(const query_path_segment_count&, const query_path_segment_count&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x240E;
+        using report = struct report_path_segment_count;
+        using type = layout<>;
+    };
 };
 
 /// Query Global Path Segment: asks for a path segment by latitude and longitude.
@@ -261,6 +489,15 @@ struct query_global_path_segment {
     std::uint16_t path_segment_number{}; ///< which path segment
     std::uint8_t presence_vector{};      ///< the requested fields of Report Global Path Segment
     friend constexpr bool operator==(const query_global_path_segment&, const query_global_path_segment&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x240F;
+        using report = struct report_global_path_segment;
+        using T = query_global_path_segment;
+        using type = layout<
+            field<&T::path_segment_number, u16le>,
+            field<&T::presence_vector, u8>>;
+    };
 };
 
 /// Query Local Path Segment: asks for a path segment in local coordinates.
@@ -269,6 +506,15 @@ struct query_local_path_segment {
     std::uint16_t path_segment_number{}; ///< which path segment
     std::uint8_t presence_vector{};      ///< the requested fields of Report Local Path Segment
     friend constexpr bool operator==(const query_local_path_segment&, const query_local_path_segment&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2410;
+        using report = struct report_local_path_segment;
+        using T = query_local_path_segment;
+        using type = layout<
+            field<&T::path_segment_number, u16le>,
+            field<&T::presence_vector, u8>>;
+    };
 };
 
 /// Report Platform Specifications: size, balance and limits of the platform.
@@ -297,6 +543,35 @@ struct report_platform_specifications {
     std::optional<double> maximum_yaw_rate{};        ///< radians per second, 0 to 32.767
     friend constexpr bool operator==(const report_platform_specifications&,
                                      const report_platform_specifications&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4400;
+        using query = query_platform_specifications;
+        using T = report_platform_specifications;
+        using type = layout<
+            presence<u32le,
+                string<&T::platform_name, fixed<15>>,
+                field<&T::front, scaled<u16le, platform_dimension>>,
+                field<&T::back, scaled<u16le, platform_dimension>>,
+                field<&T::right, scaled<u16le, platform_dimension>>,
+                field<&T::left, scaled<u16le, platform_dimension>>,
+                field<&T::bottom, scaled<u16le, platform_dimension>>,
+                field<&T::top, scaled<u16le, platform_dimension>>,
+                field<&T::x_cg, scaled<u16le, platform_dimension>>,
+                field<&T::y_cg, scaled<u16le, platform_dimension>>,
+                field<&T::z_cg, scaled<u16le, platform_dimension>>,
+                field<&T::turning_radius, scaled<u16le, chassis_dimension>>,
+                field<&T::wheel_base, scaled<u16le, chassis_dimension>>,
+                field<&T::track_width, scaled<u16le, chassis_dimension>>,
+                field<&T::static_pitch_over, scaled<u16le, static_roll_over_angle>>,
+                field<&T::static_roll_over, scaled<u16le, static_roll_over_angle>>,
+                field<&T::maximum_velocity_x, scaled<u16le, maximum_velocity>>,
+                field<&T::maximum_velocity_y, scaled<u16le, maximum_velocity>>,
+                field<&T::maximum_velocity_z, scaled<u16le, maximum_velocity>>,
+                field<&T::maximum_roll_rate, scaled<u16le, maximum_angular_rate>>,
+                field<&T::maximum_pitch_rate, scaled<u16le, maximum_angular_rate>>,
+                field<&T::maximum_yaw_rate, scaled<u16le, maximum_angular_rate>>>>;
+    };
 };
 
 /// Report Platform Operational Data: the gauges of the platform.
@@ -309,6 +584,19 @@ struct report_platform_operational_data {
     std::optional<double> oil_pressure{};       ///< percent, 0 to 127
     friend constexpr bool operator==(const report_platform_operational_data&,
                                      const report_platform_operational_data&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4401;
+        using query = query_platform_operational_data;
+        using T = report_platform_operational_data;
+        using type = layout<
+            presence<u8,
+                field<&T::engine_temperature, scaled<i16le, engine_temperature_range>>,
+                field<&T::odometer, in_units<u32le, metres>>,
+                field<&T::battery_voltage, scaled<u8, gauge_percent>>,
+                field<&T::fuel_level, scaled<u8, percent>>,
+                field<&T::oil_pressure, scaled<u8, gauge_percent>>>>;
+    };
 };
 
 /// Report Global Pose: position by latitude and longitude, and attitude.
@@ -325,6 +613,23 @@ struct report_global_pose {
     std::optional<double> attitude_rms{};         ///< radians, 0 to pi
     std::optional<jaus::time_stamp> time_stamp{}; ///< time of the measurement
     friend constexpr bool operator==(const report_global_pose&, const report_global_pose&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4402;
+        using query = query_global_pose;
+        using T = report_global_pose;
+        using type = layout<
+            open_presence<u16le,
+                field<&T::latitude, scaled<i32le, latitude_range>>,
+                field<&T::longitude, scaled<i32le, longitude_range>>,
+                field<&T::elevation, scaled<i32le, elevation_range>>,
+                field<&T::position_rms, scaled<u32le, position_error>>,
+                field<&T::roll, scaled<i16le, signed_angle>>,
+                field<&T::pitch, scaled<i16le, signed_angle>>,
+                field<&T::yaw, scaled<i16le, signed_angle>>,
+                field<&T::attitude_rms, scaled<u16le, positive_angle>>,
+                nested<&T::time_stamp>>>;
+    };
 };
 
 /// Report Local Pose: position and attitude in local coordinates.
@@ -340,6 +645,23 @@ struct report_local_pose {
     std::optional<double> attitude_rms{};         ///< radians, 0 to pi
     std::optional<jaus::time_stamp> time_stamp{}; ///< time of the measurement
     friend constexpr bool operator==(const report_local_pose&, const report_local_pose&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4403;
+        using query = query_local_pose;
+        using T = report_local_pose;
+        using type = layout<
+            presence<u16le,
+                field<&T::x, scaled<i32le, local_coordinate>>,
+                field<&T::y, scaled<i32le, local_coordinate>>,
+                field<&T::z, scaled<i32le, elevation_range>>,
+                field<&T::position_rms, scaled<u32le, position_error>>,
+                field<&T::roll, scaled<i16le, signed_angle>>,
+                field<&T::pitch, scaled<i16le, signed_angle>>,
+                field<&T::yaw, scaled<i16le, signed_angle>>,
+                field<&T::attitude_rms, scaled<u16le, positive_angle>>,
+                nested<&T::time_stamp>>>;
+    };
 };
 
 /// Report Velocity State: the velocities of the platform.
@@ -356,6 +678,23 @@ struct report_velocity_state {
     std::optional<double> rate_rms{};             ///< radians per second, 0 to pi
     std::optional<jaus::time_stamp> time_stamp{}; ///< time of the measurement
     friend constexpr bool operator==(const report_velocity_state&, const report_velocity_state&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4404;
+        using query = query_velocity_state;
+        using T = report_velocity_state;
+        using type = layout<
+            open_presence<u16le,
+                field<&T::velocity_x, scaled<i32le, velocity_range>>,
+                field<&T::velocity_y, scaled<i32le, velocity_range>>,
+                field<&T::velocity_z, scaled<i32le, velocity_range>>,
+                field<&T::velocity_rms, scaled<u32le, velocity_error>>,
+                field<&T::roll_rate, scaled<i16le, angular_rate>>,
+                field<&T::pitch_rate, scaled<i16le, angular_rate>>,
+                field<&T::yaw_rate, scaled<i16le, angular_rate>>,
+                field<&T::rate_rms, scaled<u16le, angular_rate_error>>,
+                nested<&T::time_stamp>>>;
+    };
 };
 
 /// Report Wrench Effort: the efforts in force.
@@ -374,6 +713,26 @@ struct report_wrench_effort {
     std::optional<double> resistive_rotational_effort_y{};  ///< percent, 0 to 100
     std::optional<double> resistive_rotational_effort_z{};  ///< percent, 0 to 100
     friend constexpr bool operator==(const report_wrench_effort&, const report_wrench_effort&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4405;
+        using query = query_wrench_effort;
+        using T = report_wrench_effort;
+        using type = layout<
+            presence<u16le,
+                field<&T::propulsive_linear_effort_x, scaled<i16le, signed_percent>>,
+                field<&T::propulsive_linear_effort_y, scaled<i16le, signed_percent>>,
+                field<&T::propulsive_linear_effort_z, scaled<i16le, signed_percent>>,
+                field<&T::propulsive_rotational_effort_x, scaled<i16le, signed_percent>>,
+                field<&T::propulsive_rotational_effort_y, scaled<i16le, signed_percent>>,
+                field<&T::propulsive_rotational_effort_z, scaled<i16le, signed_percent>>,
+                field<&T::resistive_linear_effort_x, scaled<u8, percent>>,
+                field<&T::resistive_linear_effort_y, scaled<u8, percent>>,
+                field<&T::resistive_linear_effort_z, scaled<u8, percent>>,
+                field<&T::resistive_rotational_effort_x, scaled<u8, percent>>,
+                field<&T::resistive_rotational_effort_y, scaled<u8, percent>>,
+                field<&T::resistive_rotational_effort_z, scaled<u8, percent>>>>;
+    };
 };
 
 /// Report Discrete Devices: the state of engine, brake, horn, gear and transfer case.
@@ -384,6 +743,18 @@ struct report_discrete_devices {
     std::optional<jaus::gear> gear{};                                                    ///< gear engaged
     std::optional<jaus::transfer_case> transfer_case{};                                  ///< transfer case engaged
     friend constexpr bool operator==(const report_discrete_devices&, const report_discrete_devices&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4406;
+        using query = query_discrete_devices;
+        using T = report_discrete_devices;
+        using type = layout<
+            presence<u8,
+                field<&T::main_propulsion, bit_set_codec<main_propulsion_device, u8>>,
+                field<&T::parking_brake_and_horn, bit_set_codec<jaus::parking_brake_and_horn, u8>>,
+                field<&T::gear, enumeration<jaus::gear, u8>>,
+                field<&T::transfer_case, enumeration<jaus::transfer_case, u8>>>>;
+    };
 };
 
 /// Report Global Vector: the global vector in force.
@@ -395,6 +766,19 @@ struct report_global_vector {
     std::optional<double> desired_roll{};      ///< radians, -pi to pi
     std::optional<double> desired_pitch{};     ///< radians, -pi to pi
     friend constexpr bool operator==(const report_global_vector&, const report_global_vector&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4407;
+        using query = query_global_vector;
+        using T = report_global_vector;
+        using type = layout<
+            presence<u8,
+                field<&T::desired_speed, scaled<u16le, speed_limit>>,
+                field<&T::desired_elevation, scaled<i32le, elevation_range>>,
+                field<&T::desired_heading, scaled<i16le, signed_angle>>,
+                field<&T::desired_roll, scaled<i16le, signed_angle>>,
+                field<&T::desired_pitch, scaled<i16le, signed_angle>>>>;
+    };
 };
 
 /// Report Local Vector: the local vector in force.
@@ -403,6 +787,15 @@ struct report_local_vector {
     double desired_speed{};   ///< metres per second, 0 to 10000
     double desired_heading{}; ///< radians, -pi to pi
     friend constexpr bool operator==(const report_local_vector&, const report_local_vector&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4408;
+        using query = query_local_vector;
+        using T = report_local_vector;
+        using type = layout<
+            field<&T::desired_speed, scaled<i32le, speed_limit>>,
+            field<&T::desired_heading, scaled<i16le, signed_angle>>>;
+    };
 };
 
 /// Report Travel Speed: the speed to travel at.
@@ -410,6 +803,13 @@ struct report_local_vector {
 struct report_travel_speed {
     double desired_speed{}; ///< metres per second, 0 to 10000
     friend constexpr bool operator==(const report_travel_speed&, const report_travel_speed&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x440A;
+        using query = query_travel_speed;
+        using T = report_travel_speed;
+        using type = layout<field<&T::desired_speed, scaled<u16le, speed_limit>>>;
+    };
 };
 
 /// Report Waypoint Count: how many waypoints there are.
@@ -417,6 +817,13 @@ struct report_travel_speed {
 struct report_waypoint_count {
     std::uint16_t waypoint_count{}; ///< waypoints
     friend constexpr bool operator==(const report_waypoint_count&, const report_waypoint_count&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x440B;
+        using query = query_waypoint_count;
+        using T = report_waypoint_count;
+        using type = layout<field<&T::waypoint_count, u16le>>;
+    };
 };
 
 /// Report Global Waypoint: a waypoint by latitude and longitude.
@@ -430,6 +837,21 @@ struct report_global_waypoint {
     std::optional<double> desired_pitch{}; ///< radians, -pi to pi
     std::optional<double> desired_yaw{};   ///< radians, -pi to pi
     friend constexpr bool operator==(const report_global_waypoint&, const report_global_waypoint&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x440C;
+        using query = query_global_waypoint;
+        using T = report_global_waypoint;
+        using type = layout<
+            presence<u8,
+                field<&T::waypoint_number, u16le>,
+                field<&T::latitude, scaled<i32le, latitude_range>>,
+                field<&T::longitude, scaled<i32le, longitude_range>>,
+                field<&T::altitude, scaled<i32le, elevation_range>>,
+                field<&T::desired_roll, scaled<i16le, signed_angle>>,
+                field<&T::desired_pitch, scaled<i16le, signed_angle>>,
+                field<&T::desired_yaw, scaled<i16le, signed_angle>>>>;
+    };
 };
 
 /// Report Local Waypoint: a waypoint in local coordinates.
@@ -443,6 +865,21 @@ struct report_local_waypoint {
     std::optional<double> desired_pitch{}; ///< radians, -pi to pi
     std::optional<double> desired_yaw{};   ///< radians, -pi to pi
     friend constexpr bool operator==(const report_local_waypoint&, const report_local_waypoint&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x440D;
+        using query = query_local_waypoint;
+        using T = report_local_waypoint;
+        using type = layout<
+            presence<u8,
+                field<&T::waypoint_number, u16le>,
+                field<&T::waypoint_x, scaled<i32le, local_coordinate>>,
+                field<&T::waypoint_y, scaled<i32le, local_coordinate>>,
+                field<&T::waypoint_z, scaled<i32le, elevation_range>>,
+                field<&T::desired_roll, scaled<i16le, signed_angle>>,
+                field<&T::desired_pitch, scaled<i16le, signed_angle>>,
+                field<&T::desired_yaw, scaled<i16le, signed_angle>>>>;
+    };
 };
 
 /// Report Path Segment Count: how many path segments there are.
@@ -450,6 +887,13 @@ struct report_local_waypoint {
 struct report_path_segment_count {
     std::uint16_t path_segment_count{}; ///< path segments
     friend constexpr bool operator==(const report_path_segment_count&, const report_path_segment_count&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x440E;
+        using query = query_path_segment_count;
+        using T = report_path_segment_count;
+        using type = layout<field<&T::path_segment_count, u16le>>;
+    };
 };
 
 /// Report Global Path Segment: a path segment by latitude and longitude.
@@ -464,6 +908,22 @@ struct report_global_path_segment {
     std::optional<double> p2_altitude{}; ///< metres, -10000 to 35000
     double weighting_factor{};           ///< 0 to 500
     friend constexpr bool operator==(const report_global_path_segment&, const report_global_path_segment&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x440F;
+        using query = query_global_path_segment;
+        using T = report_global_path_segment;
+        using type = layout<
+            presence<u8,
+                field<&T::path_segment_number, u16le>,
+                field<&T::p1_latitude, scaled<i32le, latitude_range>>,
+                field<&T::p1_longitude, scaled<i32le, longitude_range>>,
+                field<&T::p1_altitude, scaled<i32le, elevation_range>>,
+                field<&T::p2_latitude, scaled<i32le, latitude_range>>,
+                field<&T::p2_longitude, scaled<i32le, longitude_range>>,
+                field<&T::p2_altitude, scaled<i32le, elevation_range>>,
+                field<&T::weighting_factor, scaled<u16le, path_weight>>>>;
+    };
 };
 
 /// Report Local Path Segment: a path segment in local coordinates.
@@ -478,480 +938,22 @@ struct report_local_path_segment {
     std::optional<double> p2_z{};        ///< metres, -10000 to 35000
     double weighting_factor{};           ///< 0 to 500
     friend constexpr bool operator==(const report_local_path_segment&, const report_local_path_segment&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4410;
+        using query = query_local_path_segment;
+        using T = report_local_path_segment;
+        using type = layout<
+            presence<u8,
+                field<&T::path_segment_number, u16le>,
+                field<&T::p1_x, scaled<i32le, local_coordinate>>,
+                field<&T::p1_y, scaled<i32le, local_coordinate>>,
+                field<&T::p1_z, scaled<i32le, elevation_range>>,
+                field<&T::p2_x, scaled<i32le, local_coordinate>>,
+                field<&T::p2_y, scaled<i32le, local_coordinate>>,
+                field<&T::p2_z, scaled<i32le, elevation_range>>,
+                field<&T::weighting_factor, scaled<u16le, path_weight>>>>;
+    };
 };
 
 } // namespace jauscat::jaus
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<jaus::set_velocity_state> {
-    static constexpr std::uint16_t command_code = 0x0404;
-    using T = jaus::set_velocity_state;
-    using type = layout<
-        presence<u16le,
-            field<&T::velocity_x, scaled<i32le, jaus::velocity_range>>,
-            field<&T::velocity_y, scaled<i32le, jaus::velocity_range>>,
-            field<&T::velocity_z, scaled<i32le, jaus::velocity_range>>,
-            field<&T::velocity_rms, scaled<u32le, jaus::velocity_error>>,
-            field<&T::roll_rate, scaled<i16le, jaus::angular_rate>>,
-            field<&T::pitch_rate, scaled<i16le, jaus::angular_rate>>,
-            field<&T::yaw_rate, scaled<i16le, jaus::angular_rate>>,
-            field<&T::rate_rms, scaled<u16le, jaus::angular_rate_error>>,
-            nested<&T::time_stamp>>>;
-};
-
-template <> struct wire::schema<jaus::set_wrench_effort> {
-    static constexpr std::uint16_t command_code = 0x0405;
-    using T = jaus::set_wrench_effort;
-    using type = layout<
-        presence<u16le,
-            field<&T::propulsive_linear_effort_x, scaled<i16le, jaus::signed_percent>>,
-            field<&T::propulsive_linear_effort_y, scaled<i16le, jaus::signed_percent>>,
-            field<&T::propulsive_linear_effort_z, scaled<i16le, jaus::signed_percent>>,
-            field<&T::propulsive_rotational_effort_x, scaled<i16le, jaus::signed_percent>>,
-            field<&T::propulsive_rotational_effort_y, scaled<i16le, jaus::signed_percent>>,
-            field<&T::propulsive_rotational_effort_z, scaled<i16le, jaus::signed_percent>>,
-            field<&T::resistive_linear_effort_x, scaled<u8, jaus::percent>>,
-            field<&T::resistive_linear_effort_y, scaled<u8, jaus::percent>>,
-            field<&T::resistive_linear_effort_z, scaled<u8, jaus::percent>>,
-            field<&T::resistive_rotational_effort_x, scaled<u8, jaus::percent>>,
-            field<&T::resistive_rotational_effort_y, scaled<u8, jaus::percent>>,
-            field<&T::resistive_rotational_effort_z, scaled<u8, jaus::percent>>>>;
-};
-
-template <> struct wire::schema<jaus::set_discrete_devices> {
-    static constexpr std::uint16_t command_code = 0x0406;
-    using T = jaus::set_discrete_devices;
-    using type = layout<
-        presence<u8,
-            field<&T::main_propulsion, bit_set_codec<jaus::main_propulsion_device, u8>>,
-            field<&T::parking_brake_and_horn, bit_set_codec<jaus::parking_brake_and_horn, u8>>,
-            field<&T::gear, enumeration<jaus::gear, u8>>,
-            field<&T::transfer_case, enumeration<jaus::transfer_case, u8>>>>;
-};
-
-template <> struct wire::schema<jaus::set_global_vector> {
-    static constexpr std::uint16_t command_code = 0x0407;
-    using T = jaus::set_global_vector;
-    using type = layout<
-        presence<u8,
-            field<&T::desired_speed, scaled<u16le, jaus::speed_limit>>,
-            field<&T::desired_elevation, scaled<i32le, jaus::elevation_range>>,
-            field<&T::desired_heading, scaled<i16le, jaus::signed_angle>>,
-            field<&T::desired_roll, scaled<i16le, jaus::signed_angle>>,
-            field<&T::desired_pitch, scaled<i16le, jaus::signed_angle>>>>;
-};
-
-template <> struct wire::schema<jaus::set_local_vector> {
-    static constexpr std::uint16_t command_code = 0x0408;
-    using T = jaus::set_local_vector;
-    using type = layout<
-        field<&T::desired_speed, scaled<i32le, jaus::speed_limit>>,
-        field<&T::desired_heading, scaled<i16le, jaus::signed_angle>>>;
-};
-
-template <> struct wire::schema<jaus::set_travel_speed> {
-    static constexpr std::uint16_t command_code = 0x040A;
-    using T = jaus::set_travel_speed;
-    using type = layout<field<&T::desired_speed, scaled<u16le, jaus::speed_limit>>>;
-};
-
-template <> struct wire::schema<jaus::set_global_waypoint> {
-    static constexpr std::uint16_t command_code = 0x040C;
-    using T = jaus::set_global_waypoint;
-    using type = layout<
-        presence<u8,
-            field<&T::waypoint_number, u16le>,
-            field<&T::latitude, scaled<i32le, jaus::latitude_range>>,
-            field<&T::longitude, scaled<i32le, jaus::longitude_range>>,
-            field<&T::altitude, scaled<i32le, jaus::elevation_range>>,
-            field<&T::desired_roll, scaled<i16le, jaus::signed_angle>>,
-            field<&T::desired_pitch, scaled<i16le, jaus::signed_angle>>,
-            field<&T::desired_yaw, scaled<i16le, jaus::signed_angle>>>>;
-};
-
-template <> struct wire::schema<jaus::set_local_waypoint> {
-    static constexpr std::uint16_t command_code = 0x040D;
-    using T = jaus::set_local_waypoint;
-    using type = layout<
-        presence<u8,
-            field<&T::waypoint_number, u16le>,
-            field<&T::waypoint_x, scaled<i32le, jaus::local_coordinate>>,
-            field<&T::waypoint_y, scaled<i32le, jaus::local_coordinate>>,
-            field<&T::waypoint_z, scaled<i32le, jaus::elevation_range>>,
-            field<&T::desired_roll, scaled<i16le, jaus::signed_angle>>,
-            field<&T::desired_pitch, scaled<i16le, jaus::signed_angle>>,
-            field<&T::desired_yaw, scaled<i16le, jaus::signed_angle>>>>;
-};
-
-template <> struct wire::schema<jaus::set_global_path_segment> {
-    static constexpr std::uint16_t command_code = 0x040F;
-    using T = jaus::set_global_path_segment;
-    using type = layout<
-        presence<u8,
-            field<&T::path_segment_number, u16le>,
-            field<&T::p1_latitude, scaled<i32le, jaus::latitude_range>>,
-            field<&T::p1_longitude, scaled<i32le, jaus::longitude_range>>,
-            field<&T::p1_altitude, scaled<i32le, jaus::elevation_range>>,
-            field<&T::p2_latitude, scaled<i32le, jaus::latitude_range>>,
-            field<&T::p2_longitude, scaled<i32le, jaus::longitude_range>>,
-            field<&T::p2_altitude, scaled<i32le, jaus::elevation_range>>,
-            field<&T::weighting_factor, scaled<u16le, jaus::path_weight>>>>;
-};
-
-template <> struct wire::schema<jaus::set_local_path_segment> {
-    static constexpr std::uint16_t command_code = 0x0410;
-    using T = jaus::set_local_path_segment;
-    using type = layout<
-        presence<u8,
-            field<&T::path_segment_number, u16le>,
-            field<&T::p1_x, scaled<i32le, jaus::local_coordinate>>,
-            field<&T::p1_y, scaled<i32le, jaus::local_coordinate>>,
-            field<&T::p1_z, scaled<i32le, jaus::elevation_range>>,
-            field<&T::p2_x, scaled<i32le, jaus::local_coordinate>>,
-            field<&T::p2_y, scaled<i32le, jaus::local_coordinate>>,
-            field<&T::p2_z, scaled<i32le, jaus::elevation_range>>,
-            field<&T::weighting_factor, scaled<u16le, jaus::path_weight>>>>;
-};
-
-template <> struct wire::schema<jaus::query_platform_specifications> {
-    static constexpr std::uint16_t command_code = 0x2400;
-    using report = jaus::report_platform_specifications;
-    using T = jaus::query_platform_specifications;
-    using type = layout<field<&T::presence_vector, u32le>>;
-};
-
-template <> struct wire::schema<jaus::query_platform_operational_data> {
-    static constexpr std::uint16_t command_code = 0x2401;
-    using report = jaus::report_platform_operational_data;
-    using T = jaus::query_platform_operational_data;
-    using type = layout<field<&T::presence_vector, u8>>;
-};
-
-template <> struct wire::schema<jaus::query_global_pose> {
-    static constexpr std::uint16_t command_code = 0x2402;
-    using report = jaus::report_global_pose;
-    using T = jaus::query_global_pose;
-    using type = layout<field<&T::presence_vector, u16le>>;
-};
-
-template <> struct wire::schema<jaus::query_local_pose> {
-    static constexpr std::uint16_t command_code = 0x2403;
-    using report = jaus::report_local_pose;
-    using T = jaus::query_local_pose;
-    using type = layout<field<&T::presence_vector, u16le>>;
-};
-
-template <> struct wire::schema<jaus::query_velocity_state> {
-    static constexpr std::uint16_t command_code = 0x2404;
-    using report = jaus::report_velocity_state;
-    using T = jaus::query_velocity_state;
-    using type = layout<field<&T::presence_vector, u16le>>;
-};
-
-template <> struct wire::schema<jaus::query_wrench_effort> {
-    static constexpr std::uint16_t command_code = 0x2405;
-    using report = jaus::report_wrench_effort;
-    using T = jaus::query_wrench_effort;
-    using type = layout<field<&T::presence_vector, u16le>>;
-};
-
-template <> struct wire::schema<jaus::query_discrete_devices> {
-    static constexpr std::uint16_t command_code = 0x2406;
-    using report = jaus::report_discrete_devices;
-    using T = jaus::query_discrete_devices;
-    using type = layout<field<&T::presence_vector, u8>>;
-};
-
-template <> struct wire::schema<jaus::query_global_vector> {
-    static constexpr std::uint16_t command_code = 0x2407;
-    using report = jaus::report_global_vector;
-    using T = jaus::query_global_vector;
-    using type = layout<field<&T::presence_vector, u8>>;
-};
-
-template <> struct wire::schema<jaus::query_local_vector> {
-    static constexpr std::uint16_t command_code = 0x2408;
-    using report = jaus::report_local_vector;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::query_travel_speed> {
-    static constexpr std::uint16_t command_code = 0x240A;
-    using report = jaus::report_travel_speed;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::query_waypoint_count> {
-    static constexpr std::uint16_t command_code = 0x240B;
-    using report = jaus::report_waypoint_count;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::query_global_waypoint> {
-    static constexpr std::uint16_t command_code = 0x240C;
-    using report = jaus::report_global_waypoint;
-    using T = jaus::query_global_waypoint;
-    using type = layout<field<&T::waypoint_number, u16le>>;
-};
-
-template <> struct wire::schema<jaus::query_local_waypoint> {
-    static constexpr std::uint16_t command_code = 0x240D;
-    using report = jaus::report_local_waypoint;
-    using T = jaus::query_local_waypoint;
-    using type = layout<field<&T::waypoint_number, u16le>>;
-};
-
-template <> struct wire::schema<jaus::query_path_segment_count> {
-    static constexpr std::uint16_t command_code = 0x240E;
-    using report = jaus::report_path_segment_count;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::query_global_path_segment> {
-    static constexpr std::uint16_t command_code = 0x240F;
-    using report = jaus::report_global_path_segment;
-    using T = jaus::query_global_path_segment;
-    using type = layout<
-        field<&T::path_segment_number, u16le>,
-        field<&T::presence_vector, u8>>;
-};
-
-template <> struct wire::schema<jaus::query_local_path_segment> {
-    static constexpr std::uint16_t command_code = 0x2410;
-    using report = jaus::report_local_path_segment;
-    using T = jaus::query_local_path_segment;
-    using type = layout<
-        field<&T::path_segment_number, u16le>,
-        field<&T::presence_vector, u8>>;
-};
-
-template <> struct wire::schema<jaus::report_platform_specifications> {
-    static constexpr std::uint16_t command_code = 0x4400;
-    using query = jaus::query_platform_specifications;
-    using T = jaus::report_platform_specifications;
-    using type = layout<
-        presence<u32le,
-            string<&T::platform_name, fixed<15>>,
-            field<&T::front, scaled<u16le, jaus::platform_dimension>>,
-            field<&T::back, scaled<u16le, jaus::platform_dimension>>,
-            field<&T::right, scaled<u16le, jaus::platform_dimension>>,
-            field<&T::left, scaled<u16le, jaus::platform_dimension>>,
-            field<&T::bottom, scaled<u16le, jaus::platform_dimension>>,
-            field<&T::top, scaled<u16le, jaus::platform_dimension>>,
-            field<&T::x_cg, scaled<u16le, jaus::platform_dimension>>,
-            field<&T::y_cg, scaled<u16le, jaus::platform_dimension>>,
-            field<&T::z_cg, scaled<u16le, jaus::platform_dimension>>,
-            field<&T::turning_radius, scaled<u16le, jaus::chassis_dimension>>,
-            field<&T::wheel_base, scaled<u16le, jaus::chassis_dimension>>,
-            field<&T::track_width, scaled<u16le, jaus::chassis_dimension>>,
-            field<&T::static_pitch_over, scaled<u16le, jaus::static_roll_over_angle>>,
-            field<&T::static_roll_over, scaled<u16le, jaus::static_roll_over_angle>>,
-            field<&T::maximum_velocity_x, scaled<u16le, jaus::maximum_velocity>>,
-            field<&T::maximum_velocity_y, scaled<u16le, jaus::maximum_velocity>>,
-            field<&T::maximum_velocity_z, scaled<u16le, jaus::maximum_velocity>>,
-            field<&T::maximum_roll_rate, scaled<u16le, jaus::maximum_angular_rate>>,
-            field<&T::maximum_pitch_rate, scaled<u16le, jaus::maximum_angular_rate>>,
-            field<&T::maximum_yaw_rate, scaled<u16le, jaus::maximum_angular_rate>>>>;
-};
-
-template <> struct wire::schema<jaus::report_platform_operational_data> {
-    static constexpr std::uint16_t command_code = 0x4401;
-    using query = jaus::query_platform_operational_data;
-    using T = jaus::report_platform_operational_data;
-    using type = layout<
-        presence<u8,
-            field<&T::engine_temperature, scaled<i16le, jaus::engine_temperature_range>>,
-            field<&T::odometer, in_units<u32le, jaus::metres>>,
-            field<&T::battery_voltage, scaled<u8, jaus::gauge_percent>>,
-            field<&T::fuel_level, scaled<u8, jaus::percent>>,
-            field<&T::oil_pressure, scaled<u8, jaus::gauge_percent>>>>;
-};
-
-template <> struct wire::schema<jaus::report_global_pose> {
-    static constexpr std::uint16_t command_code = 0x4402;
-    using query = jaus::query_global_pose;
-    using T = jaus::report_global_pose;
-    using type = layout<
-        open_presence<u16le,
-            field<&T::latitude, scaled<i32le, jaus::latitude_range>>,
-            field<&T::longitude, scaled<i32le, jaus::longitude_range>>,
-            field<&T::elevation, scaled<i32le, jaus::elevation_range>>,
-            field<&T::position_rms, scaled<u32le, jaus::position_error>>,
-            field<&T::roll, scaled<i16le, jaus::signed_angle>>,
-            field<&T::pitch, scaled<i16le, jaus::signed_angle>>,
-            field<&T::yaw, scaled<i16le, jaus::signed_angle>>,
-            field<&T::attitude_rms, scaled<u16le, jaus::positive_angle>>,
-            nested<&T::time_stamp>>>;
-};
-
-template <> struct wire::schema<jaus::report_local_pose> {
-    static constexpr std::uint16_t command_code = 0x4403;
-    using query = jaus::query_local_pose;
-    using T = jaus::report_local_pose;
-    using type = layout<
-        presence<u16le,
-            field<&T::x, scaled<i32le, jaus::local_coordinate>>,
-            field<&T::y, scaled<i32le, jaus::local_coordinate>>,
-            field<&T::z, scaled<i32le, jaus::elevation_range>>,
-            field<&T::position_rms, scaled<u32le, jaus::position_error>>,
-            field<&T::roll, scaled<i16le, jaus::signed_angle>>,
-            field<&T::pitch, scaled<i16le, jaus::signed_angle>>,
-            field<&T::yaw, scaled<i16le, jaus::signed_angle>>,
-            field<&T::attitude_rms, scaled<u16le, jaus::positive_angle>>,
-            nested<&T::time_stamp>>>;
-};
-
-template <> struct wire::schema<jaus::report_velocity_state> {
-    static constexpr std::uint16_t command_code = 0x4404;
-    using query = jaus::query_velocity_state;
-    using T = jaus::report_velocity_state;
-    using type = layout<
-        open_presence<u16le,
-            field<&T::velocity_x, scaled<i32le, jaus::velocity_range>>,
-            field<&T::velocity_y, scaled<i32le, jaus::velocity_range>>,
-            field<&T::velocity_z, scaled<i32le, jaus::velocity_range>>,
-            field<&T::velocity_rms, scaled<u32le, jaus::velocity_error>>,
-            field<&T::roll_rate, scaled<i16le, jaus::angular_rate>>,
-            field<&T::pitch_rate, scaled<i16le, jaus::angular_rate>>,
-            field<&T::yaw_rate, scaled<i16le, jaus::angular_rate>>,
-            field<&T::rate_rms, scaled<u16le, jaus::angular_rate_error>>,
-            nested<&T::time_stamp>>>;
-};
-
-template <> struct wire::schema<jaus::report_wrench_effort> {
-    static constexpr std::uint16_t command_code = 0x4405;
-    using query = jaus::query_wrench_effort;
-    using T = jaus::report_wrench_effort;
-    using type = layout<
-        presence<u16le,
-            field<&T::propulsive_linear_effort_x, scaled<i16le, jaus::signed_percent>>,
-            field<&T::propulsive_linear_effort_y, scaled<i16le, jaus::signed_percent>>,
-            field<&T::propulsive_linear_effort_z, scaled<i16le, jaus::signed_percent>>,
-            field<&T::propulsive_rotational_effort_x, scaled<i16le, jaus::signed_percent>>,
-            field<&T::propulsive_rotational_effort_y, scaled<i16le, jaus::signed_percent>>,
-            field<&T::propulsive_rotational_effort_z, scaled<i16le, jaus::signed_percent>>,
-            field<&T::resistive_linear_effort_x, scaled<u8, jaus::percent>>,
-            field<&T::resistive_linear_effort_y, scaled<u8, jaus::percent>>,
-            field<&T::resistive_linear_effort_z, scaled<u8, jaus::percent>>,
-            field<&T::resistive_rotational_effort_x, scaled<u8, jaus::percent>>,
-            field<&T::resistive_rotational_effort_y, scaled<u8, jaus::percent>>,
-            field<&T::resistive_rotational_effort_z, scaled<u8, jaus::percent>>>>;
-};
-
-template <> struct wire::schema<jaus::report_discrete_devices> {
-    static constexpr std::uint16_t command_code = 0x4406;
-    using query = jaus::query_discrete_devices;
-    using T = jaus::report_discrete_devices;
-    using type = layout<
-        presence<u8,
-            field<&T::main_propulsion, bit_set_codec<jaus::main_propulsion_device, u8>>,
-            field<&T::parking_brake_and_horn, bit_set_codec<jaus::parking_brake_and_horn, u8>>,
-            field<&T::gear, enumeration<jaus::gear, u8>>,
-            field<&T::transfer_case, enumeration<jaus::transfer_case, u8>>>>;
-};
-
-template <> struct wire::schema<jaus::report_global_vector> {
-    static constexpr std::uint16_t command_code = 0x4407;
-    using query = jaus::query_global_vector;
-    using T = jaus::report_global_vector;
-    using type = layout<
-        presence<u8,
-            field<&T::desired_speed, scaled<u16le, jaus::speed_limit>>,
-            field<&T::desired_elevation, scaled<i32le, jaus::elevation_range>>,
-            field<&T::desired_heading, scaled<i16le, jaus::signed_angle>>,
-            field<&T::desired_roll, scaled<i16le, jaus::signed_angle>>,
-            field<&T::desired_pitch, scaled<i16le, jaus::signed_angle>>>>;
-};
-
-template <> struct wire::schema<jaus::report_local_vector> {
-    static constexpr std::uint16_t command_code = 0x4408;
-    using query = jaus::query_local_vector;
-    using T = jaus::report_local_vector;
-    using type = layout<
-        field<&T::desired_speed, scaled<i32le, jaus::speed_limit>>,
-        field<&T::desired_heading, scaled<i16le, jaus::signed_angle>>>;
-};
-
-template <> struct wire::schema<jaus::report_travel_speed> {
-    static constexpr std::uint16_t command_code = 0x440A;
-    using query = jaus::query_travel_speed;
-    using T = jaus::report_travel_speed;
-    using type = layout<field<&T::desired_speed, scaled<u16le, jaus::speed_limit>>>;
-};
-
-template <> struct wire::schema<jaus::report_waypoint_count> {
-    static constexpr std::uint16_t command_code = 0x440B;
-    using query = jaus::query_waypoint_count;
-    using T = jaus::report_waypoint_count;
-    using type = layout<field<&T::waypoint_count, u16le>>;
-};
-
-template <> struct wire::schema<jaus::report_global_waypoint> {
-    static constexpr std::uint16_t command_code = 0x440C;
-    using query = jaus::query_global_waypoint;
-    using T = jaus::report_global_waypoint;
-    using type = layout<
-        presence<u8,
-            field<&T::waypoint_number, u16le>,
-            field<&T::latitude, scaled<i32le, jaus::latitude_range>>,
-            field<&T::longitude, scaled<i32le, jaus::longitude_range>>,
-            field<&T::altitude, scaled<i32le, jaus::elevation_range>>,
-            field<&T::desired_roll, scaled<i16le, jaus::signed_angle>>,
-            field<&T::desired_pitch, scaled<i16le, jaus::signed_angle>>,
-            field<&T::desired_yaw, scaled<i16le, jaus::signed_angle>>>>;
-};
-
-template <> struct wire::schema<jaus::report_local_waypoint> {
-    static constexpr std::uint16_t command_code = 0x440D;
-    using query = jaus::query_local_waypoint;
-    using T = jaus::report_local_waypoint;
-    using type = layout<
-        presence<u8,
-            field<&T::waypoint_number, u16le>,
-            field<&T::waypoint_x, scaled<i32le, jaus::local_coordinate>>,
-            field<&T::waypoint_y, scaled<i32le, jaus::local_coordinate>>,
-            field<&T::waypoint_z, scaled<i32le, jaus::elevation_range>>,
-            field<&T::desired_roll, scaled<i16le, jaus::signed_angle>>,
-            field<&T::desired_pitch, scaled<i16le, jaus::signed_angle>>,
-            field<&T::desired_yaw, scaled<i16le, jaus::signed_angle>>>>;
-};
-
-template <> struct wire::schema<jaus::report_path_segment_count> {
-    static constexpr std::uint16_t command_code = 0x440E;
-    using query = jaus::query_path_segment_count;
-    using T = jaus::report_path_segment_count;
-    using type = layout<field<&T::path_segment_count, u16le>>;
-};
-
-template <> struct wire::schema<jaus::report_global_path_segment> {
-    static constexpr std::uint16_t command_code = 0x440F;
-    using query = jaus::query_global_path_segment;
-    using T = jaus::report_global_path_segment;
-    using type = layout<
-        presence<u8,
-            field<&T::path_segment_number, u16le>,
-            field<&T::p1_latitude, scaled<i32le, jaus::latitude_range>>,
-            field<&T::p1_longitude, scaled<i32le, jaus::longitude_range>>,
-            field<&T::p1_altitude, scaled<i32le, jaus::elevation_range>>,
-            field<&T::p2_latitude, scaled<i32le, jaus::latitude_range>>,
-            field<&T::p2_longitude, scaled<i32le, jaus::longitude_range>>,
-            field<&T::p2_altitude, scaled<i32le, jaus::elevation_range>>,
-            field<&T::weighting_factor, scaled<u16le, jaus::path_weight>>>>;
-};
-
-template <> struct wire::schema<jaus::report_local_path_segment> {
-    static constexpr std::uint16_t command_code = 0x4410;
-    using query = jaus::query_local_path_segment;
-    using T = jaus::report_local_path_segment;
-    using type = layout<
-        presence<u8,
-            field<&T::path_segment_number, u16le>,
-            field<&T::p1_x, scaled<i32le, jaus::local_coordinate>>,
-            field<&T::p1_y, scaled<i32le, jaus::local_coordinate>>,
-            field<&T::p1_z, scaled<i32le, jaus::elevation_range>>,
-            field<&T::p2_x, scaled<i32le, jaus::local_coordinate>>,
-            field<&T::p2_y, scaled<i32le, jaus::local_coordinate>>,
-            field<&T::p2_z, scaled<i32le, jaus::elevation_range>>,
-            field<&T::weighting_factor, scaled<u16le, jaus::path_weight>>>>;
-};
-
-} // namespace jauscat

@@ -2,7 +2,11 @@
 #pragma once
 #include <jauscat/wire/schema.hpp>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::jaus {
+
+using namespace wire::items;
 
 /// Time of day and day of the month. 4 bytes.
 struct time_stamp {
@@ -12,6 +16,17 @@ struct time_stamp {
     std::uint8_t hours{};         ///< 0 to 23
     std::uint8_t day{};           ///< 1 to 31
     friend constexpr bool operator==(const time_stamp&, const time_stamp&) = default;
+
+    struct schema {
+        using T = time_stamp;
+        using type = layout<
+            bit_fields<u32le,
+                bit_field<&T::milliseconds, 10>,
+                bit_field<&T::seconds, 6>,
+                bit_field<&T::minutes, 6>,
+                bit_field<&T::hours, 5>,
+                bit_field<&T::day, 5>>>;
+    };
 };
 
 /// Date. 2 bytes. Some peers count months from 0, or years from 1920 (2008 as 88).
@@ -20,32 +35,15 @@ struct date_stamp {
     std::uint8_t month{}; ///< 1 to 12
     std::uint8_t year{};  ///< 0 to 127, counted from 2000
     friend constexpr bool operator==(const date_stamp&, const date_stamp&) = default;
+
+    struct schema {
+        using T = date_stamp;
+        using type = layout<
+            bit_fields<u16le,
+                bit_field<&T::day, 5>,
+                bit_field<&T::month, 4>,
+                bit_field<&T::year, 7>>>;
+    };
 };
 
 } // namespace jauscat::jaus
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<jaus::time_stamp> {
-    using T = jaus::time_stamp;
-    using type = layout<
-        bit_fields<u32le,
-            bit_field<&T::milliseconds, 10>,
-            bit_field<&T::seconds, 6>,
-            bit_field<&T::minutes, 6>,
-            bit_field<&T::hours, 5>,
-            bit_field<&T::day, 5>>>;
-};
-
-template <> struct wire::schema<jaus::date_stamp> {
-    using T = jaus::date_stamp;
-    using type = layout<
-        bit_fields<u16le,
-            bit_field<&T::day, 5>,
-            bit_field<&T::month, 4>,
-            bit_field<&T::year, 7>>>;
-};
-
-} // namespace jauscat

@@ -5,7 +5,11 @@
 
 #include <variant>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::jaus {
+
+using namespace wire::items;
 
 /// Type of a typed value.
 enum class data_type : std::uint8_t {
@@ -28,6 +32,14 @@ struct rgb {
     std::uint8_t green{}; ///< 0 to 255
     std::uint8_t blue{};  ///< 0 to 255
     friend constexpr bool operator==(const rgb&, const rgb&) = default;
+
+    struct schema {
+        using T = rgb;
+        using type = layout<
+            field<&T::red, u8>,
+            field<&T::green, u8>,
+            field<&T::blue, u8>>;
+    };
 };
 
 /// A type and a value of that type. 1 to 9 bytes.
@@ -37,38 +49,24 @@ struct typed_value {
                  float, double, rgb, std::monostate>
         value{}; ///< as the type code says
     friend constexpr bool operator==(const typed_value&, const typed_value&) = default;
+
+    struct schema {
+        using T = typed_value;
+        using type = layout<
+            field<&T::data_type, enumeration<jaus::data_type, u8>>,
+            selected<&T::value, by<&T::data_type>,
+                when<jaus::data_type::byte, u8>,
+                when<jaus::data_type::short_integer, i16le>,
+                when<jaus::data_type::integer, i32le>,
+                when<jaus::data_type::long_integer, i64le>,
+                when<jaus::data_type::unsigned_short_integer, u16le>,
+                when<jaus::data_type::unsigned_integer, u32le>,
+                when<jaus::data_type::unsigned_long_integer, u64le>,
+                when<jaus::data_type::float_, f32le>,
+                when<jaus::data_type::long_float, f64le>,
+                when<jaus::data_type::rgb, rgb>,
+                when<jaus::data_type::none>>>;
+    };
 };
 
 } // namespace jauscat::jaus
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<jaus::rgb> {
-    using T = jaus::rgb;
-    using type = layout<
-        field<&T::red, u8>,
-        field<&T::green, u8>,
-        field<&T::blue, u8>>;
-};
-
-template <> struct wire::schema<jaus::typed_value> {
-    using T = jaus::typed_value;
-    using type = layout<
-        field<&T::data_type, enumeration<jaus::data_type, u8>>,
-        selected<&T::value, by<&T::data_type>,
-            when<jaus::data_type::byte, u8>,
-            when<jaus::data_type::short_integer, i16le>,
-            when<jaus::data_type::integer, i32le>,
-            when<jaus::data_type::long_integer, i64le>,
-            when<jaus::data_type::unsigned_short_integer, u16le>,
-            when<jaus::data_type::unsigned_integer, u32le>,
-            when<jaus::data_type::unsigned_long_integer, u64le>,
-            when<jaus::data_type::float_, f32le>,
-            when<jaus::data_type::long_float, f64le>,
-            when<jaus::data_type::rgb, jaus::rgb>,
-            when<jaus::data_type::none>>>;
-};
-
-} // namespace jauscat

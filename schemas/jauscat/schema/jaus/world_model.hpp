@@ -4,7 +4,11 @@
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/wire/schema.hpp>
 
+// One line per field, as in the standard's tables.
+// clang-format off
 namespace jauscat::jaus {
+
+using namespace wire::items;
 
 /// Object Type: what the points of an object are.
 enum class object_type : std::uint8_t {
@@ -25,6 +29,13 @@ struct vks_point {
     double latitude{};  ///< degrees (WGS 84), -90 to 90
     double longitude{}; ///< degrees (WGS 84), -180 to 180
     friend constexpr bool operator==(const vks_point&, const vks_point&) = default;
+
+    struct schema {
+        using T = vks_point;
+        using type = layout<
+            field<&T::latitude, scaled<i32le, latitude_range>>,
+            field<&T::longitude, scaled<i32le, longitude_range>>>;
+    };
 };
 
 /// A class that an object belongs to. 3 to 11 bytes.
@@ -32,6 +43,13 @@ struct vks_feature_class {
     std::uint16_t feature_class_id{};      ///< names the class
     typed_value feature_class_attribute{}; ///< the object's value for that class
     friend constexpr bool operator==(const vks_feature_class&, const vks_feature_class&) = default;
+
+    struct schema {
+        using T = vks_feature_class;
+        using type = layout<
+            field<&T::feature_class_id, u16le>,
+            nested<&T::feature_class_attribute>>;
+    };
 };
 
 /// A class that `Message` selects objects by. Bits 4 and 5 of its presence vector say for all classes what is there.
@@ -40,6 +58,13 @@ template <class Message> struct vks_feature_class_filter {
     std::optional<std::uint16_t> feature_class_id{};      ///< names the class
     std::optional<typed_value> feature_class_attribute{}; ///< the value that the objects have for that class
     friend constexpr bool operator==(const vks_feature_class_filter&, const vks_feature_class_filter&) = default;
+
+    struct schema {
+        using T = vks_feature_class_filter<Message>;
+        using type = layout<
+            gated_by<&Message::feature_class_id_present, field<&T::feature_class_id, u16le>>,
+            gated_by<&Message::feature_class_attribute_present, nested<&T::feature_class_attribute>>>;
+    };
 };
 
 /// An object to create. 4 bytes or more.
@@ -49,6 +74,8 @@ struct new_vks_object {
     wire::list<vks_feature_class> feature_class{}; ///< what the object is
     wire::list<vks_point> point{};                 ///< where it is
     friend constexpr bool operator==(const new_vks_object&, const new_vks_object&) = default;
+
+    struct schema; ///< below the message, whose flag it goes by
 };
 
 /// An object of the store. 12 bytes or more.
@@ -59,6 +86,16 @@ struct vks_object {
     wire::list<vks_feature_class> feature_class{}; ///< what the object is
     wire::list<vks_point> point{};                 ///< where it is
     friend constexpr bool operator==(const vks_object&, const vks_object&) = default;
+
+    struct schema {
+        using T = vks_object;
+        using type = layout<
+            field<&T::object_id, u32le>,
+            field<&T::object_type, enumeration<jaus::object_type, u8>>,
+            field<&T::object_buffer, in_units<f32le, metres>>,
+            repeated<&T::feature_class, count<"number_of_feature_classes", u8>>,
+            repeated<&T::point, count<"number_of_points", u16le>>>;
+    };
 };
 
 /// Message Properties of Create Vector Knowledge Store Objects, by bit.
@@ -75,6 +112,27 @@ struct create_vector_knowledge_store_objects {
     wire::list<new_vks_object> object{};                         ///< what to add
     friend constexpr bool operator==(const create_vector_knowledge_store_objects&,
                                      const create_vector_knowledge_store_objects&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0A20;
+        using T = create_vector_knowledge_store_objects;
+        using type = layout<
+            presence<u8,
+                presence_flag<&T::object_buffer_present>,
+                field<&T::message_properties, bit_set_codec<create_objects_property, u8>>,
+                field<&T::local_request_id, u8>,
+                repeated<&T::object, count<"number_of_objects", u16le>>>>;
+    };
+};
+
+struct new_vks_object::schema {
+    using T = new_vks_object;
+    using type = layout<
+        field<&T::object_type, enumeration<jaus::object_type, u8>>,
+        gated_by<&create_vector_knowledge_store_objects::object_buffer_present,
+            field<&T::object_buffer, in_units<f32le, metres>>>,
+        repeated<&T::feature_class, count<"number_of_feature_classes", u8>>,
+        repeated<&T::point, count<"number_of_points", u16le>>>;
 };
 
 /// Metadata Options of Set Vector Knowledge Store Feature Class Metadata.
@@ -93,12 +151,26 @@ struct set_vector_knowledge_store_feature_class_metadata {
     std::string_view feature_class_metadata{}; ///< the text, up to 65535 characters
     friend constexpr bool operator==(const set_vector_knowledge_store_feature_class_metadata&,
                                      const set_vector_knowledge_store_feature_class_metadata&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0A21;
+        using T = set_vector_knowledge_store_feature_class_metadata;
+        using type = layout<
+            field<&T::metadata_options, enumeration<jaus::metadata_options, u8>>,
+            field<&T::feature_class_id, u16le>,
+            string<&T::feature_class_metadata, count<"number_of_string_characters", u16le>>>;
+    };
 };
 
 /// Terminate Vector Knowledge Store Data Transfer: stops the reports in progress. Code 0A24h, command class, no body.
 struct terminate_vector_knowledge_store_data_transfer {
     friend constexpr bool operator==(const terminate_vector_knowledge_store_data_transfer&,
                                      const terminate_vector_knowledge_store_data_transfer&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0A24;
+        using type = layout<>;
+    };
 };
 
 /// Delete Vector Knowledge Store Objects: removes the objects that have all that is given.
@@ -115,6 +187,21 @@ struct delete_vector_knowledge_store_objects {
     std::optional<wire::list<vks_point>> region_point{};             ///< where the objects are
     friend constexpr bool operator==(const delete_vector_knowledge_store_objects&,
                                      const delete_vector_knowledge_store_objects&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x0A25;
+        using T = delete_vector_knowledge_store_objects;
+        using type = layout<
+            presence<u8,
+                field<&T::local_request_id, u8>,
+                repeated<&T::object_id, count<"number_of_objects", u16le>, element<"object", u32le>>,
+                field<&T::region_type, enumeration<jaus::region_type, u8>>,
+                field<&T::region_buffer, in_units<f32le, metres>>,
+                repeated<&T::feature_class, count<"number_of_feature_classes", u8>>,
+                presence_flag<&T::feature_class_id_present>,
+                presence_flag<&T::feature_class_attribute_present>,
+                repeated<&T::region_point, count<"number_of_region_points", u16le>>>>;
+    };
 };
 
 /// Query Vector Knowledge Store Feature Class Metadata: asks for the text that describes a feature class.
@@ -123,6 +210,13 @@ struct query_vector_knowledge_store_feature_class_metadata {
     std::uint16_t feature_class_id{}; ///< the class
     friend constexpr bool operator==(const query_vector_knowledge_store_feature_class_metadata&,
                                      const query_vector_knowledge_store_feature_class_metadata&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2A21;
+        using report = struct report_vector_knowledge_store_feature_class_metadata;
+        using T = query_vector_knowledge_store_feature_class_metadata;
+        using type = layout<field<&T::feature_class_id, u16le>>;
+    };
 };
 
 /// Query Vector Knowledge Store Bounds: asks for the corners of the area that a feature class covers.
@@ -132,6 +226,15 @@ struct query_vector_knowledge_store_bounds {
     std::uint16_t feature_class_id{}; ///< the class
     friend constexpr bool operator==(const query_vector_knowledge_store_bounds&,
                                      const query_vector_knowledge_store_bounds&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2A22;
+        using report = struct report_vector_knowledge_store_bounds;
+        using T = query_vector_knowledge_store_bounds;
+        using type = layout<
+            field<&T::local_request_id, u8>,
+            field<&T::feature_class_id, u16le>>;
+    };
 };
 
 /// Query Vector Knowledge Store Objects: requests the objects that match all given properties.
@@ -149,6 +252,23 @@ struct query_vector_knowledge_store_objects {
     std::optional<wire::list<vks_point>> region_point{};             ///< where the objects are
     friend constexpr bool operator==(const query_vector_knowledge_store_objects&,
                                      const query_vector_knowledge_store_objects&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x2A23;
+        using report = struct report_vector_knowledge_store_objects;
+        using T = query_vector_knowledge_store_objects;
+        using type = layout<
+            presence<u8,
+                field<&T::report_presence_vector, u8>,
+                field<&T::local_request_id, u8>,
+                repeated<&T::object_id, count<"number_of_objects", u16le>, element<"object", u32le>>,
+                field<&T::region_type, enumeration<jaus::region_type, u8>>,
+                field<&T::region_buffer, in_units<f32le, metres>>,
+                repeated<&T::feature_class, count<"number_of_feature_classes", u8>>,
+                presence_flag<&T::feature_class_id_present>,
+                presence_flag<&T::feature_class_attribute_present>,
+                repeated<&T::region_point, count<"number_of_region_points", u16le>>>>;
+    };
 };
 
 /// Report Vector Knowledge Store Objects Creation: the names of the objects that a request has created.
@@ -158,6 +278,14 @@ struct report_vector_knowledge_store_objects_creation {
     wire::list<std::uint32_t> object_id{}; ///< in the request's order; 0: could not be created
     friend constexpr bool operator==(const report_vector_knowledge_store_objects_creation&,
                                      const report_vector_knowledge_store_objects_creation&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4A20;
+        using T = report_vector_knowledge_store_objects_creation;
+        using type = layout<
+            field<&T::local_request_id, u8>,
+            repeated<&T::object_id, count<"number_of_objects", u16le>, element<"object", u32le>>>;
+    };
 };
 
 /// Report Vector Knowledge Store Feature Class Metadata: the text that describes a feature class.
@@ -167,6 +295,15 @@ struct report_vector_knowledge_store_feature_class_metadata {
     std::string_view feature_class_metadata{}; ///< the text, up to 65535 characters
     friend constexpr bool operator==(const report_vector_knowledge_store_feature_class_metadata&,
                                      const report_vector_knowledge_store_feature_class_metadata&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4A21;
+        using query = query_vector_knowledge_store_feature_class_metadata;
+        using T = report_vector_knowledge_store_feature_class_metadata;
+        using type = layout<
+            field<&T::feature_class_id, u16le>,
+            string<&T::feature_class_metadata, count<"number_of_string_characters", u16le>>>;
+    };
 };
 
 /// Report Vector Knowledge Store Bounds: the corners of the area that a feature class covers.
@@ -180,6 +317,19 @@ struct report_vector_knowledge_store_bounds {
     double northeast_longitude{};     ///< degrees (WGS 84), -180 to 180
     friend constexpr bool operator==(const report_vector_knowledge_store_bounds&,
                                      const report_vector_knowledge_store_bounds&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4A22;
+        using query = query_vector_knowledge_store_bounds;
+        using T = report_vector_knowledge_store_bounds;
+        using type = layout<
+            field<&T::local_request_id, u8>,
+            field<&T::feature_class_id, u16le>,
+            field<&T::southwest_latitude, scaled<i32le, latitude_range>>,
+            field<&T::southwest_longitude, scaled<i32le, longitude_range>>,
+            field<&T::northeast_latitude, scaled<i32le, latitude_range>>,
+            field<&T::northeast_longitude, scaled<i32le, longitude_range>>>;
+    };
 };
 
 /// Report Vector Knowledge Store Objects: the objects that a query has found.
@@ -191,177 +341,28 @@ struct report_vector_knowledge_store_objects {
     std::optional<wire::list<vks_object>> object{}; ///< the objects found
     friend constexpr bool operator==(const report_vector_knowledge_store_objects&,
                                      const report_vector_knowledge_store_objects&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4A23;
+        using query = query_vector_knowledge_store_objects;
+        using T = report_vector_knowledge_store_objects;
+        using type = layout<
+            presence<u8,
+                field<&T::local_request_id, u8>,
+                field<&T::number_of_objects, u16le>,
+                repeated<&T::object, counted_by<&T::number_of_objects>>>>;
+    };
 };
 
 /// Report Vector Knowledge Store Data Transfer Termination: the reports are stopped. Code 4A24h, inform class, no body.
 struct report_vector_knowledge_store_data_transfer_termination {
     friend constexpr bool operator==(const report_vector_knowledge_store_data_transfer_termination&,
                                      const report_vector_knowledge_store_data_transfer_termination&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0x4A24;
+        using type = layout<>;
+    };
 };
 
 } // namespace jauscat::jaus
-
-// One line per field, as in the standard's table.
-// clang-format off
-namespace jauscat {
-
-template <> struct wire::schema<jaus::vks_point> {
-    using T = jaus::vks_point;
-    using type = layout<
-        field<&T::latitude, scaled<i32le, jaus::latitude_range>>,
-        field<&T::longitude, scaled<i32le, jaus::longitude_range>>>;
-};
-
-template <> struct wire::schema<jaus::vks_feature_class> {
-    using T = jaus::vks_feature_class;
-    using type = layout<
-        field<&T::feature_class_id, u16le>,
-        nested<&T::feature_class_attribute>>;
-};
-
-template <class Message> struct wire::schema<jaus::vks_feature_class_filter<Message>> {
-    using T = jaus::vks_feature_class_filter<Message>;
-    using type = layout<
-        gated_by<&Message::feature_class_id_present, field<&T::feature_class_id, u16le>>,
-        gated_by<&Message::feature_class_attribute_present, nested<&T::feature_class_attribute>>>;
-};
-
-template <> struct wire::schema<jaus::new_vks_object> {
-    using T = jaus::new_vks_object;
-    using type = layout<
-        field<&T::object_type, enumeration<jaus::object_type, u8>>,
-        gated_by<&jaus::create_vector_knowledge_store_objects::object_buffer_present,
-            field<&T::object_buffer, in_units<f32le, jaus::metres>>>,
-        repeated<&T::feature_class, count<"number_of_feature_classes", u8>>,
-        repeated<&T::point, count<"number_of_points", u16le>>>;
-};
-
-template <> struct wire::schema<jaus::vks_object> {
-    using T = jaus::vks_object;
-    using type = layout<
-        field<&T::object_id, u32le>,
-        field<&T::object_type, enumeration<jaus::object_type, u8>>,
-        field<&T::object_buffer, in_units<f32le, jaus::metres>>,
-        repeated<&T::feature_class, count<"number_of_feature_classes", u8>>,
-        repeated<&T::point, count<"number_of_points", u16le>>>;
-};
-
-template <> struct wire::schema<jaus::create_vector_knowledge_store_objects> {
-    static constexpr std::uint16_t command_code = 0x0A20;
-    using T = jaus::create_vector_knowledge_store_objects;
-    using type = layout<
-        presence<u8,
-            presence_flag<&T::object_buffer_present>,
-            field<&T::message_properties, bit_set_codec<jaus::create_objects_property, u8>>,
-            field<&T::local_request_id, u8>,
-            repeated<&T::object, count<"number_of_objects", u16le>>>>;
-};
-
-template <> struct wire::schema<jaus::set_vector_knowledge_store_feature_class_metadata> {
-    static constexpr std::uint16_t command_code = 0x0A21;
-    using T = jaus::set_vector_knowledge_store_feature_class_metadata;
-    using type = layout<
-        field<&T::metadata_options, enumeration<jaus::metadata_options, u8>>,
-        field<&T::feature_class_id, u16le>,
-        string<&T::feature_class_metadata, count<"number_of_string_characters", u16le>>>;
-};
-
-template <> struct wire::schema<jaus::terminate_vector_knowledge_store_data_transfer> {
-    static constexpr std::uint16_t command_code = 0x0A24;
-    using type = layout<>; };
-
-template <> struct wire::schema<jaus::delete_vector_knowledge_store_objects> {
-    static constexpr std::uint16_t command_code = 0x0A25;
-    using T = jaus::delete_vector_knowledge_store_objects;
-    using type = layout<
-        presence<u8,
-            field<&T::local_request_id, u8>,
-            repeated<&T::object_id, count<"number_of_objects", u16le>, element<"object", u32le>>,
-            field<&T::region_type, enumeration<jaus::region_type, u8>>,
-            field<&T::region_buffer, in_units<f32le, jaus::metres>>,
-            repeated<&T::feature_class, count<"number_of_feature_classes", u8>>,
-            presence_flag<&T::feature_class_id_present>,
-            presence_flag<&T::feature_class_attribute_present>,
-            repeated<&T::region_point, count<"number_of_region_points", u16le>>>>;
-};
-
-template <> struct wire::schema<jaus::query_vector_knowledge_store_feature_class_metadata> {
-    static constexpr std::uint16_t command_code = 0x2A21;
-    using report = jaus::report_vector_knowledge_store_feature_class_metadata;
-    using T = jaus::query_vector_knowledge_store_feature_class_metadata;
-    using type = layout<field<&T::feature_class_id, u16le>>;
-};
-
-template <> struct wire::schema<jaus::query_vector_knowledge_store_bounds> {
-    static constexpr std::uint16_t command_code = 0x2A22;
-    using report = jaus::report_vector_knowledge_store_bounds;
-    using T = jaus::query_vector_knowledge_store_bounds;
-    using type = layout<
-        field<&T::local_request_id, u8>,
-        field<&T::feature_class_id, u16le>>;
-};
-
-template <> struct wire::schema<jaus::query_vector_knowledge_store_objects> {
-    static constexpr std::uint16_t command_code = 0x2A23;
-    using report = jaus::report_vector_knowledge_store_objects;
-    using T = jaus::query_vector_knowledge_store_objects;
-    using type = layout<
-        presence<u8,
-            field<&T::report_presence_vector, u8>,
-            field<&T::local_request_id, u8>,
-            repeated<&T::object_id, count<"number_of_objects", u16le>, element<"object", u32le>>,
-            field<&T::region_type, enumeration<jaus::region_type, u8>>,
-            field<&T::region_buffer, in_units<f32le, jaus::metres>>,
-            repeated<&T::feature_class, count<"number_of_feature_classes", u8>>,
-            presence_flag<&T::feature_class_id_present>,
-            presence_flag<&T::feature_class_attribute_present>,
-            repeated<&T::region_point, count<"number_of_region_points", u16le>>>>;
-};
-
-template <> struct wire::schema<jaus::report_vector_knowledge_store_objects_creation> {
-    static constexpr std::uint16_t command_code = 0x4A20;
-    using T = jaus::report_vector_knowledge_store_objects_creation;
-    using type = layout<
-        field<&T::local_request_id, u8>,
-        repeated<&T::object_id, count<"number_of_objects", u16le>, element<"object", u32le>>>;
-};
-
-template <> struct wire::schema<jaus::report_vector_knowledge_store_feature_class_metadata> {
-    static constexpr std::uint16_t command_code = 0x4A21;
-    using query = jaus::query_vector_knowledge_store_feature_class_metadata;
-    using T = jaus::report_vector_knowledge_store_feature_class_metadata;
-    using type = layout<
-        field<&T::feature_class_id, u16le>,
-        string<&T::feature_class_metadata, count<"number_of_string_characters", u16le>>>;
-};
-
-template <> struct wire::schema<jaus::report_vector_knowledge_store_bounds> {
-    static constexpr std::uint16_t command_code = 0x4A22;
-    using query = jaus::query_vector_knowledge_store_bounds;
-    using T = jaus::report_vector_knowledge_store_bounds;
-    using type = layout<
-        field<&T::local_request_id, u8>,
-        field<&T::feature_class_id, u16le>,
-        field<&T::southwest_latitude, scaled<i32le, jaus::latitude_range>>,
-        field<&T::southwest_longitude, scaled<i32le, jaus::longitude_range>>,
-        field<&T::northeast_latitude, scaled<i32le, jaus::latitude_range>>,
-        field<&T::northeast_longitude, scaled<i32le, jaus::longitude_range>>>;
-};
-
-template <> struct wire::schema<jaus::report_vector_knowledge_store_objects> {
-    static constexpr std::uint16_t command_code = 0x4A23;
-    using query = jaus::query_vector_knowledge_store_objects;
-    using T = jaus::report_vector_knowledge_store_objects;
-    using type = layout<
-        presence<u8,
-            field<&T::local_request_id, u8>,
-            field<&T::number_of_objects, u16le>,
-            repeated<&T::object, counted_by<&T::number_of_objects>>>>;
-};
-
-template <> struct wire::schema<jaus::report_vector_knowledge_store_data_transfer_termination> {
-    static constexpr std::uint16_t command_code = 0x4A24;
-    using type = layout<>;
-};
-
-} // namespace jauscat

@@ -28,7 +28,7 @@ JAUSCAT_CONSTEXPR std::optional<time_point> liveness_table::next_event() const n
     return next_check_;
 }
 
-JAUSCAT_CONSTEXPR const presence* liveness_table::find(const address& who) const noexcept {
+JAUSCAT_CONSTEXPR const sign_of_life* liveness_table::find(const address& who) const noexcept {
     const place* const found = map_.exactly(who);
     return found == nullptr ? nullptr : &found->value;
 }
