@@ -11,6 +11,9 @@ install(DIRECTORY include/jauscat schemas/jauscat DESTINATION ${CMAKE_INSTALL_IN
 install(FILES schemas/JausConfig.xsd DESTINATION ${CMAKE_INSTALL_DATADIR}/jauscat)
 install(TARGETS jauscat jauscat_text EXPORT jauscat-targets)
 install(EXPORT jauscat-targets NAMESPACE jauscat:: DESTINATION ${package_dir})
+# jauscat::catalogue and jauscat::compiled are compiled by their users: what is installed is the same for every machine.
+install(DIRECTORY src DESTINATION ${CMAKE_INSTALL_DATADIR}/jauscat)
+install(FILES cmake/catalogue.cmake DESTINATION ${package_dir})
 if(TARGET jauscat_esi_files)
     install(TARGETS jauscat_esi_files EXPORT jauscat-esi-targets)
     install(EXPORT jauscat-esi-targets NAMESPACE jauscat:: DESTINATION ${package_dir})
@@ -18,8 +21,6 @@ endif()
 if(TARGET jauscat_net)
     install(TARGETS jauscat_net EXPORT jauscat-net-targets)
     install(EXPORT jauscat-net-targets NAMESPACE jauscat:: DESTINATION ${package_dir})
-    # jauscat::compiled is compiled by its users: what is installed is the same for every machine.
-    install(DIRECTORY src DESTINATION ${CMAKE_INSTALL_DATADIR}/jauscat)
     install(FILES cmake/compiled.cmake DESTINATION ${package_dir})
 endif()
 

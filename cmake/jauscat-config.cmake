@@ -3,6 +3,11 @@ find_dependency(Boost 1.74)
 include(${CMAKE_CURRENT_LIST_DIR}/jauscat-targets.cmake)
 
 set(jauscat_text_FOUND TRUE)
+set(jauscat_catalogue_FOUND TRUE)
+if(NOT TARGET jauscat::catalogue)
+    include(${CMAKE_CURRENT_LIST_DIR}/catalogue.cmake)
+    jauscat_add_catalogue(${CMAKE_CURRENT_LIST_DIR}/../../jauscat/src jauscat::text)
+endif()
 
 if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/jauscat-esi-targets.cmake)
     find_package(pugixml QUIET)

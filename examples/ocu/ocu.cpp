@@ -1,8 +1,8 @@
 // The operator control unit: takes control of a robot arm over JAUS, commands a wrench effort, queries it and compares;
 // or sends any other message of the standard.
-#include "message_kinds/message_kinds.hpp"
 #include "operator_unit.hpp"
 #include "support/node_options.hpp"
+#include <jauscat/catalogue/ra_3_3.hpp>
 #include <jauscat/jaus/component/command_rules.hpp>
 #include <jauscat/jaus/message/requested_fields.hpp>
 #include <jauscat/text/from_text.hpp>
@@ -44,17 +44,13 @@ no answer, or if control is refused or lost before the end; 2 for a wrong comman
 
 /// The order to send the message `name` with the fields that the command line names.
 order order_from(const std::string& name, const words& assignments) {
-    order made;
-    const auto code = text::find_message(name);
-    if (!code) throw example::usage_error{code.error().message};
-    made.command_code = *code;
-    const auto* const kind = find_kind(made.command_code);
-    if (kind == nullptr)
-        throw example::usage_error{text::message_name(made.command_code) + " cannot be sent by its name"};
-    auto body = body_from_words(*kind, assignments);
-    if (!body) throw example::usage_error{body.error()};
-    made.body = *std::move(body);
-    return made;
+    const auto type = jauscat::catalogue::ra_3_3().find(name);
+    if (!type) throw example::usage_error{type.error().message};
+    const auto message = (*type)->from_words(assignments);
+    if (!message) throw example::usage_error{message.error().message};
+    auto body = message->encode();
+    if (!body) throw example::usage_error{std::string{wire::describe(body.error())}};
+    return {(*type)->command_code(), *std::move(body)};
 }
 
 order random_command(std::uint32_t seed) {

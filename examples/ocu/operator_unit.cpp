@@ -1,10 +1,10 @@
 #include "operator_unit.hpp"
 
-#include "message_kinds/message_kinds.hpp"
 #include "support/component_of.hpp"
 #include "support/message_event.hpp"
 #include "support/program.hpp"
 #include "support/say.hpp"
+#include <jauscat/catalogue/ra_3_3.hpp>
 #include <jauscat/net/node/run_until.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/text/from_text.hpp>
@@ -17,6 +17,7 @@ namespace ocu {
 
 namespace {
 
+namespace catalogue = jauscat::catalogue;
 namespace events = example::events;
 namespace text = jauscat::text;
 namespace wire = jauscat::wire;
@@ -26,10 +27,10 @@ void show(example::event_kind kind_of_event, const char* verb, std::span<const s
     const auto parts = jaus::split(message);
     auto lines = example::bold(std::string{"ocu "} + verb + " " + text::summary(parts.header)) + "\n";
     if (!jaus::is_acknowledgement(parts.header)) {
-        const auto* const kind = find_kind(parts.header.command_code);
+        const auto* const known = catalogue::ra_3_3().find(parts.header.command_code);
         lines += text::hex_dump(message.first(jaus::header_size));
-        lines += kind != nullptr ? kind->annotate(parts.body, jaus::header_size)
-                                 : text::hex_dump(parts.body, "  ", jaus::header_size);
+        lines += known != nullptr ? known->annotate(parts.body, jaus::header_size)
+                                  : text::hex_dump(parts.body, "  ", jaus::header_size);
     }
     example::write_limited(verb, kind_of_event, example::message_members(parts.header, parts.body), lines);
 }
@@ -169,7 +170,7 @@ jauscat::node_options operator_unit::node_options(const net::jaus_config& config
         if (const auto times = log_lines_.shown(line)) // the node limits them
             say(events::node_log, {{"line", line}, {"times", *times}}, log_lines_.text(line, *times));
     };
-    options.explain_malformed = &why_malformed;
+    options.explain_malformed = catalogue::ra_3_3().explainer();
     options.on_received = [this](const auto& component, const auto& head, bytes body) { seen(component, head, body); };
     options.on_sent = [this](bytes message) { sent(message); };
     return options;

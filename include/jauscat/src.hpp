@@ -31,6 +31,8 @@
 #include <jauscat/bridge/impl/ring.ipp>
 #include <jauscat/bridge/impl/ring_clocks.ipp>
 #include <jauscat/bridge/impl/supersede.ipp>
+#include <jauscat/catalogue/impl/entry.ipp>
+#include <jauscat/catalogue/impl/list.ipp>
 #include <jauscat/esi/impl/check_esi.ipp>
 #include <jauscat/esi/impl/emulated_device.ipp>
 #include <jauscat/esi/impl/make_device.ipp>

@@ -11,6 +11,6 @@ for page in README.md docs/*.md; do
     grep -qE '^<!-- code: docs/code/[a-z_]+\.[ch]pp [a-z]+ -->' "$page" || continue
     first=$(grep -m1 -nE '^<!-- code: docs/code/[a-z_]+\.[ch]pp [a-z]+ -->' "$page")
     [[ $first == *" includes -->" ]] || wrong "$page:${first%%:*}: a part of a program before what it includes"
-    grep -qE "\`jauscat::(jauscat|text|esi|net)\`" "$page" || wrong "$page: does not say what to link"
+    grep -qE "\`jauscat::(jauscat|text|catalogue|esi|net)\`" "$page" || wrong "$page: does not say what to link"
 done
 [ -z "$failed" ]

@@ -1,12 +1,12 @@
 // The interactive node: shows the messages that arrive, and sends any message of the standard by its name.
 #include "line_source.hpp"
-#include "message_kinds/message_kinds.hpp"
 #include "support/component_of.hpp"
 #include "support/message_event.hpp"
 #include "support/node_options.hpp"
 #include "support/repeated_lines.hpp"
 #include "support/say.hpp"
 #include <jauscat/app/component.hpp>
+#include <jauscat/catalogue/ra_3_3.hpp>
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/net/config/jaus_config.hpp>
 #include <jauscat/net/detail/endpoint_text.hpp>
@@ -18,6 +18,7 @@
 
 namespace {
 
+namespace catalogue = jauscat::catalogue;
 namespace events = example::events;
 namespace jaus = jauscat::jaus;
 namespace net = jauscat::net;
@@ -229,7 +230,7 @@ class communicator {
                 show(events::node_log, {{"line", line}, {"times", times.value_or(1)}},
                      "log: " + log_lines_.text(line, times.value_or(1)) + "\n");
         };
-        options.explain_malformed = &why_malformed;
+        options.explain_malformed = catalogue::ra_3_3().explainer();
         options.on_handled = [this](const jaus::address& component, const jaus::header& head,
                                     std::span<const std::byte> body,
                                     jaus::component_outcome what) { seen(component, head, body, what); };
@@ -262,8 +263,8 @@ class communicator {
         auto first = "received " + text::summary(head);
         if (what != jaus::component_outcome::handled) first += "; " + std::string{describe(what)};
         auto lines = example::bold(first) + "\n";
-        const auto* const kind = find_kind(head.command_code);
-        if (!body.empty()) lines += kind != nullptr ? kind->annotate(body, 0) : text::hex_dump(body);
+        const auto* const known = catalogue::ra_3_3().find(head.command_code);
+        if (!body.empty()) lines += known != nullptr ? known->annotate(body) : text::hex_dump(body);
         tell("received", events::message_received,
              example::message_members(head, body) + example::event_members{{"result", std::string{describe(what)}}},
              lines);
@@ -307,14 +308,14 @@ class communicator {
             head.destination = *id;
         else
             return wrong("'" + all[1] + "' is neither a system of the configuration nor a JAUS ID; see peers");
-        const auto code = text::find_message(all[2]);
-        if (!code) return wrong(code.error().message);
-        head.command_code = *code;
-        const auto* const kind = find_kind(head.command_code);
-        if (kind == nullptr) return wrong(text::message_name(head.command_code) + " cannot be sent by its name");
-        const auto filled = body_from_words(*kind, std::span{all}.subspan(3));
-        if (!filled) return wrong(filled.error());
-        const std::span<const std::byte> body = *filled;
+        const auto type = catalogue::ra_3_3().find(all[2]);
+        if (!type) return wrong(type.error().message);
+        head.command_code = (*type)->command_code();
+        const auto message = (*type)->from_words(std::span{all}.subspan(3));
+        if (!message) return wrong(message.error().message);
+        const auto encoded = message->encode();
+        if (!encoded) return wrong(std::string{jauscat::wire::describe(encoded.error())});
+        const std::span<const std::byte> body = *encoded;
         const bool asks = jaus::report_code_of(head.command_code) != 0;
         unsent_.push_back(head);
         if (!jaus::names_one_component(head.destination)) {

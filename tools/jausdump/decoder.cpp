@@ -1,24 +1,13 @@
 #include "decoder.hpp"
 
-#include "message_kinds/message_kinds.hpp"
-#include <jauscat/text/print.hpp>
+#include <jauscat/catalogue/json.hpp>
+#include <jauscat/catalogue/ra_3_3.hpp>
 
 namespace jausdump {
 
 namespace {
 
-/// Decodes into memory for the lists of one message. It grows to what messages need, up to a limit.
-jauscat::result<std::size_t, wire::errc> decode_into(void* message, const message_kind& kind,
-                                                     std::span<const std::byte> body) {
-    constexpr std::size_t most = std::size_t{1} << 28;
-    static std::vector<std::byte> bytes(1 << 16);
-    for (;;) {
-        wire::arena memory{bytes};
-        const auto result = kind.decode(message, body, memory);
-        if (result.error() != wire::errc::arena_full || bytes.size() >= most) return result;
-        bytes.resize(bytes.size() * 2);
-    }
-}
+namespace catalogue = jauscat::catalogue;
 
 /// The members that payload data elements have in both of their messages.
 struct payload_members {
@@ -80,38 +69,30 @@ void tell_payload(decoded_body& body, const payload_members& members, std::size_
     body.text += lines;
 }
 
-/// What is done for a message of the type `T` alone.
-template <class T> const T* as(const void* message, const message_kind& kind) {
-    return kind.command_code == jaus::command_code_of<T> ? static_cast<const T*>(message) : nullptr;
-}
-
 } // namespace
 
-bool is_known(std::uint16_t command_code) { return find_kind(command_code) != nullptr; }
+bool is_known(std::uint16_t command_code) { return catalogue::ra_3_3().find(command_code) != nullptr; }
 
 decoded_body decode_body(std::span<const std::byte> bytes, const decoding& how) {
-    const auto& kind = *find_kind(how.head.command_code);
     decoded_body body{};
-    const auto message = kind.make();
-    const void* const value = message.get();
-    if (const auto result = decode_into(message.get(), kind, bytes); !result) {
-        body.fault = kind.diagnose(bytes);
-        if (body.fault) body.fault.error = result.error(); // a matter of memory
+    const auto message = catalogue::ra_3_3().find(how.head.command_code)->decode(bytes);
+    if (!message) {
+        body.fault = message.error();
         return body;
     }
-    if (auto encoded = kind.encode(value)) body.encoded = *std::move(encoded);
+    if (auto encoded = message->encode()) body.encoded = *std::move(encoded);
     if (how.text) {
-        body.text = text::to_text(*kind.fields, value, text_indent);
+        body.text = message->to_text(text_indent);
     } else {
-        body.presence_vector = text::presence_vector_of(*kind.fields, value);
-        body.fields = text::to_json(*kind.fields, value);
+        body.presence_vector = catalogue::presence_vector_of(*message);
+        body.fields = catalogue::to_json(*message);
     }
     const auto tell = [&](const payload_members& members) {
         tell_payload(body, members, bytes.size() - members.elements.size());
     };
-    if (const auto* const command = as<jaus::set_payload_data_element>(value, kind)) tell(members_of(*command, how));
-    if (const auto* const report = as<jaus::report_payload_data_element>(value, kind)) tell(members_of(*report, how));
-    if (const auto* const types = as<jaus::report_payload_interface>(value, kind); types && how.learn_payloads)
+    if (const auto* const command = message->as<jaus::set_payload_data_element>()) tell(members_of(*command, how));
+    if (const auto* const report = message->as<jaus::report_payload_data_element>()) tell(members_of(*report, how));
+    if (const auto* const types = message->as<jaus::report_payload_interface>(); types && how.learn_payloads)
         how.payloads.learn(how.head.source, *types);
     return body;
 }

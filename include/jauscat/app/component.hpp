@@ -16,6 +16,10 @@
 #include <string_view>
 
 namespace jauscat {
+namespace catalogue {
+class any_message;
+class entry;
+} // namespace catalogue
 inline namespace JAUSCAT_WAY {
 
 /// A JAUS component of a node. It serves the core messages (state, control, emergencies, time, identification,
@@ -49,6 +53,10 @@ class component {
     ///
     /// Throws `std::logic_error` for a second handler of a message.
     template <class... F> void on(F... f);
+
+    /// The same for a message that is known at run time only (catalogue.md): `f(const catalogue::any_message&)`, with
+    /// the header behind it if it likes. It returns nothing, or jaus::message_outcome.
+    template <std::same_as<catalogue::entry> Entry, class F> void on(const Entry& message, F f);
 
     /// Called for each message that neither the component nor a handler takes, such as an unexpected report; `f` says
     /// what has become of it. For programs that show or store messages of any type.
@@ -100,6 +108,17 @@ class component {
     }
     /// The same for a body in bytes.
     JAUSCAT_DECL result<void, net::error> send(const jaus::address& to, std::uint16_t command_code, app::bytes body);
+
+    /// The same for a message that is known at run time only.
+    template <std::same_as<catalogue::any_message> Message>
+    result<void, net::error> send(const jaus::address& to, const Message& message) {
+        const auto body = message.encode();
+        if (!body)
+            return net::error{.code = net::errc::not_encodable,
+                              .reason = net::reason_of(body.error()),
+                              .message = std::string{wire::describe(body.error())}};
+        return send(to, message.command_code(), *body);
+    }
 
     /// Sends a message and repeats it until it is acknowledged. Errors: refused, no_answer, not_encodable,
     /// not_one_address, unroutable, queue_full, not_running. Of any size.
@@ -255,6 +274,20 @@ template <class... F> void component::on(F... f) {
         static_assert(app::have_different_codes<F...>(), "on: two handlers of one message");
         (take(std::move(f)), ...);
     }
+}
+
+template <std::same_as<catalogue::entry> Entry, class F> void component::on(const Entry& message, F f) {
+    constexpr bool has_parameters = app::handles<F, catalogue::any_message>;
+    static_assert(has_parameters, "on: a handler of a catalogue's message takes (const catalogue::any_message&) or"
+                                  " (const catalogue::any_message&, const jaus::header&)");
+    if constexpr (has_parameters)
+        app::take(*state_, {.command_code = message.command_code(),
+                            .presence_bits = message.presence_bits(),
+                            .handle = [message, f = std::move(f)](const app::incoming& from) mutable {
+                                const auto decoded = message.decode(from.body);
+                                return decoded ? app::call(f, *decoded, from)
+                                               : app::malformed(from.component, decoded.error().error);
+                            }});
 }
 
 template <class F> void component::reports(F f, double max_rate) {

@@ -1,0 +1,87 @@
+// A message that is known at run time: what its schema says, without its type.
+#pragma once
+#include <jauscat/base/compilation.hpp>
+#include <jauscat/base/result.hpp>
+#include <jauscat/text/error.hpp>
+#include <jauscat/text/structure.hpp>
+#include <jauscat/wire/diagnosis.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace jauscat::catalogue {
+
+class any_message;
+
+namespace detail {
+
+/// What is compiled for each message (of.hpp). `object` is one of the message's type.
+struct entry_data {
+    std::uint16_t command_code{}, query{}, report{};
+    std::string_view name{};
+    std::size_t min_size{}, max_size{};
+    std::uint32_t presence_bits{};
+    bool has_lists{}; ///< decoding takes an arena
+    const text::structure& (*fields)(){};
+    void* (*make)(){};
+    void (*destroy)(void* object){};
+    result<std::size_t, wire::errc> (*decode)(void* object, std::span<const std::byte> body, wire::arena&){};
+    result<std::vector<std::byte>, wire::errc> (*encode)(const void* object){};
+    wire::diagnosis (*diagnose)(std::span<const std::byte> body){};
+    std::string (*annotate)(std::span<const std::byte> body, std::size_t first_offset){};
+};
+
+} // namespace detail
+
+/// A message of a catalogue. Copies are references to the same, which lives as long as the program.
+class entry {
+  public:
+    explicit entry(const detail::entry_data& data) noexcept : data_{&data} {}
+
+    [[nodiscard]] std::uint16_t command_code() const noexcept { return data_->command_code; }
+    /// Of its type: `set_wrench_effort`. text::message_name has the standard's.
+    [[nodiscard]] std::string_view name() const noexcept { return data_->name; }
+    /// The code of the query that it answers; 0: it is no report.
+    [[nodiscard]] std::uint16_t query() const noexcept { return data_->query; }
+    /// The code of the report that answers it; 0: it is no query.
+    [[nodiscard]] std::uint16_t report() const noexcept { return data_->report; }
+    /// Fewest and most bytes of its body.
+    [[nodiscard]] std::size_t min_size() const noexcept { return data_->min_size; }
+    [[nodiscard]] std::size_t max_size() const noexcept { return data_->max_size; }
+    /// Bits of its presence vector that stand for a field; 0: it has no presence vector.
+    [[nodiscard]] std::uint32_t presence_bits() const noexcept { return data_->presence_bits; }
+    /// Its fields with names, units, limits, enumerators and lists.
+    [[nodiscard]] const text::structure& fields() const { return data_->fields(); }
+
+    /// A value-initialised message.
+    [[nodiscard]] JAUSCAT_FUNCTION any_message make() const;
+    /// The message of a body, which is copied, or where and why it does not decode.
+    [[nodiscard]] JAUSCAT_FUNCTION result<any_message, wire::diagnosis> decode(std::span<const std::byte> body) const;
+    /// From `propulsive_linear_effort_x=50 ...`, in one line or as words; see text/from_text.hpp.
+    [[nodiscard]] JAUSCAT_FUNCTION result<any_message, text::error> from_text(std::string_view line) const;
+    [[nodiscard]] JAUSCAT_FUNCTION result<any_message, text::error>
+    from_words(std::span<const std::string> words) const;
+
+    /// Where and why a body does not decode; `ok` where it does.
+    [[nodiscard]] wire::diagnosis diagnose(std::span<const std::byte> body) const { return data_->diagnose(body); }
+    /// A line for each field of a body: offset, counted from `first_offset`, bytes, name, value.
+    [[nodiscard]] std::string annotate(std::span<const std::byte> body, std::size_t first_offset = 0) const {
+        return data_->annotate(body, first_offset);
+    }
+    /// The fields of a body, a line each, or one that says why it does not decode.
+    [[nodiscard]] JAUSCAT_FUNCTION std::string to_text(std::span<const std::byte> body, std::size_t indent = 2) const;
+
+    friend bool operator==(const entry&, const entry&) = default;
+
+  private:
+    friend class any_message;
+    const detail::entry_data* data_;
+};
+
+} // namespace jauscat::catalogue
+
+#include <jauscat/catalogue/any_message.hpp>

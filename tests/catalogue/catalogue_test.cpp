@@ -1,0 +1,168 @@
+// What a catalogue says of a message, and what can be done with one.
+#include "support/catch.hpp"
+#include "support/hex.hpp"
+#include <jauscat/catalogue/ra_3_3.hpp>
+#include <jauscat/jaus/message/message.hpp>
+#include <jauscat/schema/jaus/catalog.hpp>
+#include <jauscat/schema/jaus/messages.hpp>
+
+namespace {
+
+namespace catalogue = jauscat::catalogue;
+namespace jaus = jauscat::jaus;
+namespace text = jauscat::text;
+namespace wire = jauscat::wire;
+using jauscat::test::from_hex;
+using jauscat::test::to_hex;
+
+const catalogue::entry& of(std::string_view name) {
+    const auto found = catalogue::ra_3_3().find(name);
+    REQUIRE(found);
+    return **found;
+}
+
+} // namespace
+
+TEST_CASE("the catalogue has every message of the standard, by ascending command code") {
+    const auto& all = catalogue::ra_3_3();
+    CHECK(all.size() == jaus::catalog.size());
+    CHECK(std::ranges::is_sorted(all, {}, &catalogue::entry::command_code));
+    for (const auto& [code, name] : jaus::catalog) {
+        INFO(name);
+        const auto* const by_code = all.find(code);
+        REQUIRE(by_code != nullptr);
+        CHECK(by_code->command_code() == code);
+        const auto by_name = all.find(name);
+        REQUIRE(by_name);
+        CHECK(*by_name == by_code);
+        CHECK(by_code->name() == text::snake_case(name));
+        CHECK(by_code->fields().name == by_code->name());
+        CHECK(by_code->min_size() <= by_code->max_size());
+    }
+}
+
+TEST_CASE("a message is found by the name of its type, by that of the standard, and by its code in hex") {
+    for (const auto* name : {"set_wrench_effort", "Set Wrench Effort", "0405", "0405h", "0x0405", "405"})
+        CHECK(of(name).command_code() == 0x0405);
+    const auto unknown = catalogue::ra_3_3().find("set_wrench_efort");
+    REQUIRE(!unknown);
+    CHECK(unknown.error().code == text::errc::unknown_message);
+    CHECK(unknown.error().value == "set_wrench_efort");
+    CHECK(unknown.error().message == "there is no message 'set_wrench_efort'; did you mean set_wrench_effort?");
+    CHECK(catalogue::ra_3_3().find("9999h").error().message == "there is no message with the code 0x9999");
+    CHECK(catalogue::ra_3_3().find(std::uint16_t{0x9999}) == nullptr);
+    CHECK(catalogue::ra_3_3().find("").error().code == text::errc::unknown_message);
+}
+
+TEST_CASE("a query and its report name each other") {
+    for (const auto& message : catalogue::ra_3_3()) {
+        INFO(message.name());
+        const auto code = message.command_code();
+        if (const auto report = message.report(); report != 0) {
+            CHECK(report == code + 0x2000);
+            CHECK(catalogue::ra_3_3().find(report)->query() == code);
+        } else {
+            const auto expected = jaus::report_code_of(code);
+            CHECK((expected == 0 || catalogue::ra_3_3().find(expected) == nullptr));
+        }
+        if (const auto query = message.query(); query != 0) CHECK(catalogue::ra_3_3().find(query)->report() == code);
+    }
+    CHECK(of("set_wrench_effort").query() == 0);
+    CHECK(of("set_wrench_effort").report() == 0);
+}
+
+TEST_CASE("a message is made of a line, and printed") {
+    const auto message = of("set_wrench_effort").from_text("propulsive_linear_effort_x=50");
+    REQUIRE(message);
+    const auto body = message->encode();
+    REQUIRE(body);
+    CHECK(to_hex(*body) == "01 00 00 40");
+    CHECK(message->to_text() == "  presence_vector = 0x0001\n  propulsive_linear_effort_x = 50 % (raw 16384)\n");
+    CHECK(of("set_wrench_effort").to_text(*body, 0) ==
+          "presence_vector = 0x0001\npropulsive_linear_effort_x = 50.001526 % (raw 16384)\n");
+    CHECK(of("set_wrench_effort").annotate(*body, 16) ==
+          "  0010  01 00         presence_vector = 0x0001\n"
+          "  0012  00 40         propulsive_linear_effort_x = 50.001526 % (raw 16384)\n");
+
+    const auto wrong = of("set_wrench_effort").from_text("propulsive_linear_effort_x=150");
+    REQUIRE(!wrong);
+    CHECK(wrong.error().code == text::errc::out_of_range);
+    CHECK(of("set_wrench_effort").from_text("\"x").error().code == text::errc::unfinished_quote);
+}
+
+TEST_CASE("a line names its message in its first word") {
+    const auto message = catalogue::ra_3_3().from_text("set_emergency emergency_code=transition_to_emergency");
+    REQUIRE(message);
+    CHECK(message->command_code() == 0x0006);
+    REQUIRE(message->as<jaus::set_emergency>() != nullptr);
+    CHECK(message->as<jaus::set_emergency>()->emergency_code.bits() == 1);
+    CHECK(message->as<jaus::clear_emergency>() == nullptr);
+    CHECK(catalogue::ra_3_3().from_text("").error().code == text::errc::missing_name);
+    CHECK(catalogue::ra_3_3().from_text("set_emergenci").error().code == text::errc::unknown_message);
+    CHECK(catalogue::ra_3_3().from_text("set_emergency x=1").error().code == text::errc::unknown_field);
+}
+
+TEST_CASE("a message of a body owns what it consists of") {
+    const auto& type = of("report_identification");
+    catalogue::any_message kept;
+    {
+        auto body = from_hex("01 01 11 27 6c 65 66 74 20 61 72 6d");
+        body.resize(84);
+        auto message = type.decode(body);
+        REQUIRE(message);
+        kept = *std::move(message);
+        std::ranges::fill(body, std::byte{0xFF});
+    }
+    CHECK(kept.type() == type);
+    CHECK(kept.to_text().find("\"left arm\"") != std::string::npos);
+    const auto moved = std::move(kept);
+    CHECK(moved.as<jaus::report_identification>()->authority_code == 1);
+    CHECK(moved.encode()->size() == 84);
+}
+
+TEST_CASE("lists have the memory that they need") {
+    std::vector<std::string> words;
+    for (unsigned i = 0; i != 255; ++i) words.push_back("joint[" + std::to_string(i) + "].joint_effort=12.5");
+    const auto message = of("set_joint_efforts").from_words(words);
+    REQUIRE(message);
+    const auto body = message->encode();
+    REQUIRE(body);
+    CHECK(body->size() == 1 + 255 * 2);
+    const auto again = of("set_joint_efforts").decode(*body);
+    REQUIRE(again);
+    CHECK(*again->encode() == *body);
+    CHECK(again->to_text().find("joint[254].joint_effort = 12.498665 %") != std::string::npos);
+}
+
+TEST_CASE("a body that does not decode is explained, and printed as its error") {
+    const auto& type = of("set_wrench_effort");
+    const auto body = from_hex("01 00 00");
+    const auto message = type.decode(body);
+    REQUIRE(!message);
+    CHECK(message.error().error == wire::errc::truncated);
+    CHECK(message.error().field == "propulsive_linear_effort_x");
+    CHECK(message.error() == type.diagnose(body));
+    const auto why = catalogue::ra_3_3().why_malformed(type.command_code(), body);
+    CHECK(why.find("propulsive_linear_effort_x at byte 2 needs 2 bytes, 1 left") != std::string::npos);
+    CHECK(type.to_text(body) == "  " + why + "\n");
+    CHECK(catalogue::ra_3_3().explainer()(type.command_code(), body) == why);
+    CHECK(catalogue::ra_3_3().why_malformed(type.command_code(), from_hex("00 00")).empty());
+    CHECK(catalogue::ra_3_3().why_malformed(0x9999, body).empty());
+}
+
+TEST_CASE("a whole message is annotated with its header; what is not known is shown in hex") {
+    std::vector<std::byte> bytes(64);
+    const jaus::set_wrench_effort effort{.propulsive_linear_effort_x = 50};
+    const auto made = jaus::make_message(jaus::header{.source = {1, 1, 1, 1}}, effort, bytes);
+    REQUIRE(made);
+    const auto lines = catalogue::ra_3_3().annotate(*made);
+    CHECK(lines.find("command_code = ") != std::string::npos);
+    CHECK(lines.ends_with("  0012  00 40         propulsive_linear_effort_x = 50.001526 % (raw 16384)\n"));
+
+    (*made)[2] = (*made)[3] = std::byte{0x99};
+    const auto dump = catalogue::ra_3_3().annotate(*made);
+    CHECK(dump.find("propulsive") == std::string::npos);
+    CHECK(dump.find("01 00 00 40") != std::string::npos);
+    CHECK(catalogue::ra_3_3().annotate(std::span{*made}.first(5)).find("truncated") != std::string::npos);
+    CHECK(!catalogue::ra_3_3().annotate({}).empty());
+}
