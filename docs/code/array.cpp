@@ -5,6 +5,8 @@
 #include <array>
 #include <iostream>
 
+using namespace jauscat::wire::items; // the words of layouts
+
 // [declare]
 struct newtons {
     static constexpr double min = 0, max = 500;
@@ -14,27 +16,30 @@ struct newtons {
 struct joint {
     std::int16_t position{};
     std::uint8_t temperature{};
+
+    // clang-format off
+    struct schema {
+        using T = joint;
+        using type = layout<
+            field<&T::position, i16le>,
+            field<&T::temperature, u8>>;
+    };
+    // clang-format on
 };
 
 struct report_gripper {
     std::array<double, 3> force{};               ///< newtons, of each finger
     std::optional<std::array<joint, 2>> wrist{}; ///< records
-};
 
-// clang-format off
-template <> struct jauscat::wire::schema<joint> {
-    using T = joint;
-    using type = layout<
-        field<&T::position, i16le>,
-        field<&T::temperature, u8>>;
+    // clang-format off
+    struct schema {
+        using T = report_gripper;
+        using type = layout<
+            array<&T::force, scaled<u8, newtons>>,
+            presence<u8, array<&T::wrist>>>;
+    };
+    // clang-format on
 };
-template <> struct jauscat::wire::schema<report_gripper> {
-    using T = report_gripper;
-    using type = layout<
-        array<&T::force, scaled<u8, newtons>>,
-        presence<u8, array<&T::wrist>>>;
-};
-// clang-format on
 // [declare end]
 
 int main() {

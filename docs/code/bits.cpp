@@ -5,6 +5,8 @@
 #include <array>
 #include <iostream>
 
+using namespace jauscat::wire::items; // the words of layouts
+
 // [declare]
 enum class grip_mode : std::uint8_t { idle = 0, opening = 1, closing = 2, holding = 3 };
 
@@ -12,19 +14,19 @@ struct report_gripper {
     grip_mode mode{};
     bool object_seen{};
     std::uint8_t temperature_class{}; ///< 0 to 7
-};
 
-// clang-format off
-template <> struct jauscat::wire::schema<report_gripper> {
-    using T = report_gripper;
-    using type = layout<
-        bit_fields<u8,
-            bit_field<&T::mode, 2>,              // the least significant bits
-            bit_field<&T::object_seen, 1>,
-            bit_field<&T::temperature_class, 3>,
-            reserved<2>>>;
+    // clang-format off
+    struct schema {
+        using T = report_gripper;
+        using type = layout<
+            bit_fields<u8,
+                bit_field<&T::mode, 2>,              // the least significant bits
+                bit_field<&T::object_seen, 1>,
+                bit_field<&T::temperature_class, 3>,
+                reserved<2>>>;
+    };
+    // clang-format on
 };
-// clang-format on
 // [declare end]
 
 int main() {

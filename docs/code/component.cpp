@@ -18,22 +18,25 @@ using namespace std::chrono_literals;
 // [message]
 namespace gripper {
 
+using namespace jauscat::wire::items; // the words of layouts
+
 struct newtons {
     static constexpr double min = 0, max = 500;
 };
+
 /// A message of this robot, with a code of the experimental range.
 struct set_gripper {
     std::uint8_t finger{};
     double force{}; ///< newtons, 0 to 500
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0xD101;
+        using T = set_gripper;
+        using type = layout<field<&T::finger, u8>, field<&T::force, scaled<u16le, newtons>>>;
+    };
 };
 
 } // namespace gripper
-
-template <> struct jauscat::wire::schema<gripper::set_gripper> {
-    static constexpr std::uint16_t command_code = 0xD101;
-    using T = gripper::set_gripper;
-    using type = layout<field<&T::finger, u8>, field<&T::force, scaled<u16le, gripper::newtons>>>;
-};
 // [message end]
 
 // [component]

@@ -17,6 +17,8 @@ namespace wire = jauscat::wire;
 using namespace std::chrono_literals;
 using jauscat::time_point;
 using std::chrono::nanoseconds;
+
+using namespace jauscat::wire::items; // the words of layouts
 // [includes end]
 
 // [codec]
@@ -58,10 +60,11 @@ template <std::uint8_t Value> struct mark {
 // [layout]
 struct time_of_day {
     std::uint8_t hour{}, minute{};
-};
-template <> struct jauscat::wire::schema<time_of_day> {
-    using T = time_of_day;
-    using type = layout<mark<0x7E>, field<&T::hour, two_digits>, field<&T::minute, two_digits>>;
+
+    struct schema {
+        using T = time_of_day;
+        using type = layout<mark<0x7E>, field<&T::hour, two_digits>, field<&T::minute, two_digits>>;
+    };
 };
 // [layout end]
 

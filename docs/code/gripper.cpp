@@ -10,14 +10,20 @@
 #include <span>
 #include <string_view>
 
-// clang-format off
-struct gripper { double force{}; std::optional<std::uint8_t> finger{}; };
-struct newton { static constexpr double min = 0, max = 500; static constexpr std::string_view unit = "N"; };
-// clang-format on
+using namespace jauscat::wire::items; // the words of layouts
 
-template <> struct jauscat::wire::schema<gripper> {
-    using type = layout<field<&gripper::force, scaled<u16le, newton>>, presence<u8, field<&gripper::finger, u8>>>;
+// clang-format off
+struct newton { static constexpr double min = 0, max = 500; static constexpr std::string_view unit = "N"; };
+
+struct gripper {
+    double force{};
+    std::optional<std::uint8_t> finger{};
+
+    struct schema {
+        using type = layout<field<&gripper::force, scaled<u16le, newton>>, presence<u8, field<&gripper::finger, u8>>>;
+    };
 };
+// clang-format on
 
 int main() {
     std::array<std::byte, 8> buffer{};

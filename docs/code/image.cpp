@@ -9,6 +9,7 @@
 #include <iostream>
 
 namespace translate = jauscat::translate;
+using namespace jauscat::wire::items; // the words of layouts
 // [includes end]
 
 // [message]
@@ -21,6 +22,16 @@ struct millimetres {
 struct set_gripper {
     std::optional<double> opening{};      ///< millimetres, 0 to 200
     std::optional<std::uint8_t> finger{}; ///< 1 is the first
+
+    // clang-format off
+    struct schema {
+        static constexpr std::uint16_t command_code = 0xD101;
+        using T = set_gripper;
+        using type = layout<presence<u8,
+            field<&T::opening, scaled<u16le, millimetres>>,
+            field<&T::finger, u8>>>;
+    };
+    // clang-format on
 };
 
 /// The slave's outputs: 6 bytes, the same in every cycle.
@@ -29,26 +40,21 @@ struct gripper_outputs {
     std::uint8_t presence{};       ///< fields of the last command
     std::uint16_t opening{};
     std::uint8_t finger{};
+
+    // clang-format off
+    struct schema {
+        using T = gripper_outputs;
+        using type = layout<
+            field<&T::command_count, u16le>,
+            field<&T::presence, u8>,
+            field<&T::opening, u16le>,
+            field<&T::finger, u8>>;
+    };
+    // clang-format on
 };
 // [message end]
 
 // clang-format off
-template <> struct jauscat::wire::schema<set_gripper> {
-    static constexpr std::uint16_t command_code = 0xD101;
-    using T = set_gripper;
-    using type = layout<presence<u8,
-        field<&T::opening, scaled<u16le, millimetres>>,
-        field<&T::finger, u8>>>;
-};
-template <> struct jauscat::wire::schema<gripper_outputs> {
-    using T = gripper_outputs;
-    using type = layout<
-        field<&T::command_count, u16le>,
-        field<&T::presence, u8>,
-        field<&T::opening, u16le>,
-        field<&T::finger, u8>>;
-};
-
 // [table]
 using M = set_gripper;
 using P = gripper_outputs;

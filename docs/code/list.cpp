@@ -5,6 +5,8 @@
 #include <array>
 #include <iostream>
 
+using namespace jauscat::wire::items; // the words of layouts
+
 // [declare]
 struct newtons {
     static constexpr double min = 0, max = 500;
@@ -15,27 +17,30 @@ struct grasp {
     std::uint8_t object{}; ///< number of the object
     std::uint16_t milliseconds{};
     friend constexpr bool operator==(const grasp&, const grasp&) = default;
+
+    // clang-format off
+    struct schema {
+        using T = grasp;
+        using type = layout<
+            field<&T::object, u8>,
+            field<&T::milliseconds, u16le>>;
+    };
+    // clang-format on
 };
 
 struct report_gripper {
     jauscat::wire::inline_list<double, 4> force{}; ///< newtons, of each finger; held in the message
     jauscat::wire::list<grasp> history{};          ///< held in memory of the caller
-};
 
-// clang-format off
-template <> struct jauscat::wire::schema<grasp> {
-    using T = grasp;
-    using type = layout<
-        field<&T::object, u8>,
-        field<&T::milliseconds, u16le>>;
+    // clang-format off
+    struct schema {
+        using T = report_gripper;
+        using type = layout<
+            repeated<&T::force, count<"number_of_fingers", u8>, element<"force", scaled<u8, newtons>>>,
+            repeated<&T::history, count<"number_of_grasps", u8>>>;
+    };
+    // clang-format on
 };
-template <> struct jauscat::wire::schema<report_gripper> {
-    using T = report_gripper;
-    using type = layout<
-        repeated<&T::force, count<"number_of_fingers", u8>, element<"force", scaled<u8, newtons>>>,
-        repeated<&T::history, count<"number_of_grasps", u8>>>;
-};
-// clang-format on
 // [declare end]
 
 int main() {

@@ -12,6 +12,8 @@
 // [declare]
 namespace gripper {
 
+using namespace jauscat::wire::items; // the words of layouts
+
 struct newtons {
     static constexpr double min = 0, max = 500;
     static constexpr std::string_view unit = "N";
@@ -21,15 +23,15 @@ struct newtons {
 struct set_gripper {
     std::uint8_t finger{};
     std::optional<double> force{}; ///< newtons, 0 to 500
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0xD101;
+        using T = set_gripper;
+        using type = layout<field<&T::finger, u8>, presence<u8, field<&T::force, scaled<u16le, newtons>>>>;
+    };
 };
 
 } // namespace gripper
-
-template <> struct jauscat::wire::schema<gripper::set_gripper> {
-    static constexpr std::uint16_t command_code = 0xD101;
-    using T = gripper::set_gripper;
-    using type = layout<field<&T::finger, u8>, presence<u8, field<&T::force, scaled<u16le, gripper::newtons>>>>;
-};
 // [declare end]
 
 namespace jaus = jauscat::jaus;

@@ -10,6 +10,7 @@
 
 namespace jaus = jauscat::jaus;
 namespace translate = jauscat::translate;
+using namespace jauscat::wire::items; // the words of layouts
 // [includes end]
 
 // [packet]
@@ -21,20 +22,20 @@ struct radio_packet {
     std::uint8_t place{};   ///< 0: a whole message, 1 to 3: first, middle, last part of one
     std::uint8_t counter{}; ///< set by the sender
     std::uint16_t size{};   ///< bytes of data that follow
-};
 
-// clang-format off
-template <> struct jauscat::wire::schema<radio_packet> {
-    using T = radio_packet;
-    using type = layout<
-        field<&T::station, u16be>,
-        field<&T::channel, u8>,
-        field<&T::message, u8>,
-        field<&T::place, u8>,
-        field<&T::counter, u8>,
-        field<&T::size, u16be>>;
+    // clang-format off
+    struct schema {
+        using T = radio_packet;
+        using type = layout<
+            field<&T::station, u16be>,
+            field<&T::channel, u8>,
+            field<&T::message, u8>,
+            field<&T::place, u8>,
+            field<&T::counter, u8>,
+            field<&T::size, u16be>>;
+    };
+    // clang-format on
 };
-// clang-format on
 // [packet end]
 // [row]
 /// The packet's value is `Factor` times the JAUS value.

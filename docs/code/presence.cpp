@@ -5,11 +5,14 @@
 #include <array>
 #include <iostream>
 
+using namespace jauscat::wire::items; // the words of layouts
+
 // [declare]
 struct millimetres {
     static constexpr double min = 0, max = 200;
     static constexpr std::string_view unit = "mm";
 };
+
 struct newtons {
     static constexpr double min = 0, max = 500;
     static constexpr std::string_view unit = "N";
@@ -19,18 +22,18 @@ struct set_gripper {
     std::uint8_t finger{};
     std::optional<double> opening{}; ///< millimetres, 0 to 200
     std::optional<double> force{};   ///< newtons, 0 to 500
-};
 
-// clang-format off
-template <> struct jauscat::wire::schema<set_gripper> {
-    using T = set_gripper;
-    using type = layout<
-        field<&T::finger, u8>,
-        presence<u8,
-            field<&T::opening, scaled<u16le, millimetres>>, // bit 0
-            field<&T::force, scaled<u16le, newtons>>>>;     // bit 1
+    // clang-format off
+    struct schema {
+        using T = set_gripper;
+        using type = layout<
+            field<&T::finger, u8>,
+            presence<u8,
+                field<&T::opening, scaled<u16le, millimetres>>, // bit 0
+                field<&T::force, scaled<u16le, newtons>>>>;     // bit 1
+    };
+    // clang-format on
 };
-// clang-format on
 // [declare end]
 
 int main() {

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <iostream>
+
+using namespace jauscat::wire::items; // the words of layouts
 // [includes end]
 
 // [declare]
@@ -12,11 +14,11 @@
 struct report_gripper {
     std::uint8_t finger{};   ///< 1 is the first
     std::uint32_t strokes{}; ///< in its lifetime
-};
 
-template <> struct jauscat::wire::schema<report_gripper> {
-    using T = report_gripper;
-    using type = layout<field<&T::finger, u8>, field<&T::strokes, u32le>>;
+    struct schema {
+        using T = report_gripper;
+        using type = layout<field<&T::finger, u8>, field<&T::strokes, u32le>>;
+    };
 };
 // [declare end]
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <iostream>
 
+using namespace jauscat::wire::items; // the words of layouts
+
 // [declare]
 struct millimetres {
     static constexpr double min = 0, max = 200;
@@ -14,11 +16,11 @@ struct millimetres {
 struct report_gripper {
     std::uint8_t finger{};
     double opening{}; ///< millimetres, 0 to 200
-};
 
-template <> struct jauscat::wire::schema<report_gripper> {
-    using T = report_gripper;
-    using type = layout<field<&T::finger, u8>, field<&T::opening, scaled<u16le, millimetres>>>;
+    struct schema {
+        using T = report_gripper;
+        using type = layout<field<&T::finger, u8>, field<&T::opening, scaled<u16le, millimetres>>>;
+    };
 };
 // [declare end]
 

@@ -6,6 +6,8 @@
 #include <array>
 #include <iostream>
 #include <variant>
+
+using namespace jauscat::wire::items; // the words of layouts
 // [includes end]
 
 // [declare]
@@ -14,30 +16,33 @@ enum class goal_type : std::uint8_t { width = 0, object = 1, release = 255 };
 struct object_goal {
     std::uint8_t number{};
     std::uint8_t grip{};
+
+    // clang-format off
+    struct schema {
+        using T = object_goal;
+        using type = layout<
+            field<&T::number, u8>,
+            field<&T::grip, u8>>;
+    };
+    // clang-format on
 };
 
 struct set_goal {
     goal_type type{};
     std::variant<std::uint16_t, object_goal, std::monostate> goal{};
-};
 
-// clang-format off
-template <> struct jauscat::wire::schema<object_goal> {
-    using T = object_goal;
-    using type = layout<
-        field<&T::number, u8>,
-        field<&T::grip, u8>>;
+    // clang-format off
+    struct schema {
+        using T = set_goal;
+        using type = layout<
+            field<&T::type, enumeration<goal_type, u8>>,
+            selected<&T::goal, by<&T::type>,
+                when<goal_type::width, u16le>,
+                when<goal_type::object, object_goal>,
+                when<goal_type::release>>>; // no bytes
+    };
+    // clang-format on
 };
-template <> struct jauscat::wire::schema<set_goal> {
-    using T = set_goal;
-    using type = layout<
-        field<&T::type, enumeration<goal_type, u8>>,
-        selected<&T::goal, by<&T::type>,
-            when<goal_type::width, u16le>,
-            when<goal_type::object, object_goal>,
-            when<goal_type::release>>>; // no bytes
-};
-// clang-format on
 // [declare end]
 
 int main() {

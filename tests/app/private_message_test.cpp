@@ -9,54 +9,63 @@
 
 namespace gripper {
 
+namespace jaus = jauscat::jaus;
+using namespace jauscat::wire::items; // the words of layouts
+
 /// Code D101h.
 struct set_gripper {
     std::uint8_t finger{};
     std::optional<double> force{}; ///< percent
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0xD101;
+        using T = set_gripper;
+        using type = layout<field<&T::finger, u8>, presence<u8, field<&T::force, scaled<u8, jaus::percent>>>>;
+    };
 };
+
 /// Code D102h.
 struct query_gripper {
     std::uint8_t presence_vector{};
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0xD102;
+        using report = struct report_gripper;
+        using T = query_gripper;
+        using type = layout<field<&T::presence_vector, u8>>;
+    };
 };
+
 /// Code D103h.
 struct report_gripper {
     std::optional<double> force{};   ///< percent
     std::optional<double> opening{}; ///< percent
     friend constexpr bool operator==(const report_gripper&, const report_gripper&) = default;
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0xD103;
+        using query = query_gripper;
+        using T = report_gripper;
+        using type = layout<
+            presence<u8, field<&T::force, scaled<u8, jaus::percent>>, field<&T::opening, scaled<u8, jaus::percent>>>>;
+    };
 };
+
 /// Code D104h: its answer is a Report Gripper, too.
 struct calibrate_gripper {
     std::uint8_t finger{};
+
+    struct schema {
+        static constexpr std::uint16_t command_code = 0xD104;
+        using report = struct report_gripper;
+        using T = calibrate_gripper;
+        using type = layout<field<&T::finger, u8>>;
+    };
 };
 
 } // namespace gripper
-
-template <> struct jauscat::wire::schema<gripper::set_gripper> {
-    static constexpr std::uint16_t command_code = 0xD101;
-    using T = gripper::set_gripper;
-    using type = layout<field<&T::finger, u8>, presence<u8, field<&T::force, scaled<u8, jaus::percent>>>>;
-};
 // [schema]
-template <> struct jauscat::wire::schema<gripper::query_gripper> {
-    static constexpr std::uint16_t command_code = 0xD102;
-    using report = gripper::report_gripper;
-    using T = gripper::query_gripper;
-    using type = layout<field<&T::presence_vector, u8>>;
-};
-template <> struct jauscat::wire::schema<gripper::report_gripper> {
-    static constexpr std::uint16_t command_code = 0xD103;
-    using query = gripper::query_gripper;
-    using T = gripper::report_gripper;
-    using type = layout<
-        presence<u8, field<&T::force, scaled<u8, jaus::percent>>, field<&T::opening, scaled<u8, jaus::percent>>>>;
-};
 // [schema end]
-template <> struct jauscat::wire::schema<gripper::calibrate_gripper> {
-    static constexpr std::uint16_t command_code = 0xD104;
-    using report = gripper::report_gripper;
-    using T = gripper::calibrate_gripper;
-    using type = layout<field<&T::finger, u8>>;
-};
 
 namespace {
 

@@ -4,7 +4,11 @@
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/translate/image_table.hpp>
 
+// One line per field, as in the image.
+// clang-format off
 namespace jauscat::translation {
+
+using namespace wire::items;
 
 /// Twelve efforts as JAUS has them on the wire (-32767 to 32767 is -100 to 100 %, 0 to 255 is 0 to 100 %). 22 bytes.
 struct wrench_effort_image {
@@ -27,31 +31,26 @@ struct wrench_effort_image {
     std::uint8_t resistive_rotational_effort_y{};
     std::uint8_t resistive_rotational_effort_z{};
     friend constexpr bool operator==(const wrench_effort_image&, const wrench_effort_image&) = default;
+
+    struct schema {
+        using T = wrench_effort_image;
+        using type = layout<
+            field<&T::command_count, u16le>,
+            field<&T::presence_vector, u16le>,
+            field<&T::propulsive_linear_effort_x, i16le>,
+            field<&T::propulsive_linear_effort_y, i16le>,
+            field<&T::propulsive_linear_effort_z, i16le>,
+            field<&T::propulsive_rotational_effort_x, i16le>,
+            field<&T::propulsive_rotational_effort_y, i16le>,
+            field<&T::propulsive_rotational_effort_z, i16le>,
+            field<&T::resistive_linear_effort_x, u8>,
+            field<&T::resistive_linear_effort_y, u8>,
+            field<&T::resistive_linear_effort_z, u8>,
+            field<&T::resistive_rotational_effort_x, u8>,
+            field<&T::resistive_rotational_effort_y, u8>,
+            field<&T::resistive_rotational_effort_z, u8>>;
+    };
 };
-
-} // namespace jauscat::translation
-
-// clang-format off
-template <> struct jauscat::wire::schema<jauscat::translation::wrench_effort_image> {
-    using T = translation::wrench_effort_image;
-    using type = layout<
-        field<&T::command_count, u16le>,
-        field<&T::presence_vector, u16le>,
-        field<&T::propulsive_linear_effort_x, i16le>,
-        field<&T::propulsive_linear_effort_y, i16le>,
-        field<&T::propulsive_linear_effort_z, i16le>,
-        field<&T::propulsive_rotational_effort_x, i16le>,
-        field<&T::propulsive_rotational_effort_y, i16le>,
-        field<&T::propulsive_rotational_effort_z, i16le>,
-        field<&T::resistive_linear_effort_x, u8>,
-        field<&T::resistive_linear_effort_y, u8>,
-        field<&T::resistive_linear_effort_z, u8>,
-        field<&T::resistive_rotational_effort_x, u8>,
-        field<&T::resistive_rotational_effort_y, u8>,
-        field<&T::resistive_rotational_effort_z, u8>>;
-};
-
-namespace jauscat::translation {
 
 /// A wrench effort message `M` and the image; `Count` is the row for the command counter.
 template <class M, class Count> struct wrench_effort_table_of {
