@@ -49,8 +49,8 @@ class list {
   private:
     void sort() {
         std::ranges::stable_sort(entries_, {}, &entry::command_code);
-        const auto same = std::ranges::unique(entries_, {}, &entry::command_code);
-        entries_.erase(same.begin(), same.end());
+        const auto same = [](const entry& a, const entry& b) { return a.command_code() == b.command_code(); };
+        entries_.erase(std::unique(entries_.begin(), entries_.end(), same), entries_.end());
     }
 
     std::vector<entry> entries_{};
