@@ -210,8 +210,9 @@ template <class T, auto... Members> consteval bool owned_by(key_list<Members...>
 
 /// The layout of `T`, after the checks that need both the struct and its schema.
 template <class T> struct checked_schema {
-    static_assert(requires { typename schema<T>::type; }, "the type has no schema: give it a struct schema with its "
-                                                          "layout as type, or specialise jauscat::wire::schema for it");
+    static_assert(
+        requires { typename schema<T>::type; }, "the type has no schema: give it a struct schema with its "
+                                                "layout as type, or specialise jauscat::wire::schema for it");
     using type = typename schema<T>::type;
     using keys = typename type::keys;
     static_assert(std::is_aggregate_v<T>, "layout: a message must be a plain aggregate");
