@@ -11,6 +11,4 @@ expect() { # FILE PATTERN: the first line of FILE that matches has the version i
 version=$2
 expect CHANGELOG.md '^## ([0-9.]+).*'
 expect debian/changelog '^jauscat \(([0-9.]+)\).*'
-expect vcpkg.json '^ *"version": "([0-9.]+)".*'
-expect conanfile.py '^ *version = "([0-9.]+)".*'
 exit "$failed"
