@@ -1,5 +1,5 @@
 // Distributed clocks of emulated slaves in simulated time: how far they are apart, and how well a master's cycles
-// follow. The same figures on every machine. scripts/clock-figures writes them to docs/clocks.md.
+// follow. The same figures on every machine. scripts/measure clocks writes them to docs/clocks.md.
 #include "ethercat/clock_bench.hpp"
 #include <jauscat/ethercat/master/clock_cycle.hpp>
 

@@ -1,5 +1,5 @@
 // From an operator's joint message to the target of each of six drives: the operator, the arm's node and its bus, and
-// six emulated drives, all in this program, by UDP on loopback. Prints Markdown. scripts/measure-joints runs it.
+// six emulated drives, all in this program, by UDP on loopback. Prints Markdown. scripts/measure joints runs it.
 #include "measuring.hpp"
 #include <jauscat/app.hpp>
 #include <jauscat/bridge/joints/joint_part.hpp>

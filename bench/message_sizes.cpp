@@ -1,5 +1,5 @@
 // Every message with a function that encodes it, one that decodes it, and as many bytes as it takes in memory: nm lists
-// their sizes (scripts/size-table).
+// their sizes (scripts/measure sizes).
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/encode.hpp>

@@ -1,6 +1,6 @@
 // Messages received, dispatched and answered each second over the loopback interface, next to a bare echo by recvfrom
 // and sendto, in turns: what a node costs beside its sockets, and what the way through another node costs. Prints
-// Markdown. scripts/measure-node runs it.
+// Markdown. scripts/measure node runs it.
 #include "measuring.hpp"
 #include "node/client.hpp"
 #include <jauscat/jaus/component/component.hpp>

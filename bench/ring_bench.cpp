@@ -1,4 +1,4 @@
-// Measures a master with many slaves on a pair of virtual Ethernet interfaces, jc0 and jc1: see scripts/measure-wire.
+// Measures a master with many slaves on a pair of virtual Ethernet interfaces, jc0 and jc1: see scripts/measure wire.
 #include "support/program.hpp"
 #include "wire/bridge_end.hpp"
 
@@ -14,7 +14,7 @@ using std::chrono::microseconds, std::chrono::milliseconds, std::chrono::seconds
 using json = nlohmann::ordered_json;
 
 constexpr const char* help =
-    R"(ring_bench: a master on jc0 and many slaves, a process of their own, on jc1: scripts/measure-wire runs it.
+    R"(ring_bench: a master on jc0 and many slaves, a process of their own, on jc1: scripts/measure wire runs it.
 )";
 
 double ms(nanoseconds time) { return us(time) / 1000; }

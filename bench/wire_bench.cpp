@@ -1,4 +1,4 @@
-// Measures a master and a slave on a pair of virtual Ethernet interfaces, jc0 and jc1: see scripts/measure-wire.
+// Measures a master and a slave on a pair of virtual Ethernet interfaces, jc0 and jc1: see scripts/measure wire.
 #include "support/program.hpp"
 #include "wire/bare_socket.hpp"
 #include "wire/commands.hpp"
@@ -14,7 +14,7 @@ using jauscat::net::raw_link;
 using std::chrono::microseconds, std::chrono::seconds;
 
 constexpr const char* help =
-    R"(wire_bench: a master on jc0 and a slave, a thread of its own, on jc1: scripts/measure-wire runs it.
+    R"(wire_bench: a master on jc0 and a slave, a thread of its own, on jc1: scripts/measure wire runs it.
 )";
 
 /// Remembers the frames that go out. Models the link concept over another link.
