@@ -1,6 +1,6 @@
 // Writes the inputs that fuzzing starts from, a folder per target: the golden messages, the captures and the example
 // configuration, each in the form that its target reads.
-#include "jaus/vectors.hpp"
+#include "schema/vectors.hpp"
 #include "support/objects.hpp"
 #include "support/paths.hpp"
 #include "support/pcap.hpp"

@@ -1,14 +1,14 @@
-# jauscat_test_messages: all messages of the standard behind functions that are the same for each (jaus/messages.hpp), for
+# jauscat_test_messages: all messages of the standard behind functions that are the same for each (schema/messages.hpp), for
 # the tests of several modules. One translation unit for each subgroup, that is for each third digit of a command code.
 foreach(digit IN ITEMS 0x0 0x1 0x2 0x4 0x6 0x8 0xA 0xB 0xD 0xE)
-    configure_file(${CMAKE_CURRENT_LIST_DIR}/jaus/message_group.cpp.in messages/message_group_${digit}.cpp @ONLY)
+    configure_file(${CMAKE_CURRENT_LIST_DIR}/schema/message_group.cpp.in messages/message_group_${digit}.cpp @ONLY)
     list(APPEND message_groups ${CMAKE_CURRENT_BINARY_DIR}/messages/message_group_${digit}.cpp)
 endforeach()
 # All the codec of 158 messages, several times over: the time goes into optimising, and the tests gain nothing by it.
 set_source_files_properties(${message_groups} PROPERTIES COMPILE_OPTIONS
     "$<$<CONFIG:Release>:-O1>;${JAUSCAT_REPEATED_CODE_OPTIONS}")
 
-add_library(jauscat_test_messages STATIC EXCLUDE_FROM_ALL ${CMAKE_CURRENT_LIST_DIR}/jaus/messages.cpp ${message_groups})
+add_library(jauscat_test_messages STATIC EXCLUDE_FROM_ALL ${CMAKE_CURRENT_LIST_DIR}/schema/messages.cpp ${message_groups})
 target_link_libraries(jauscat_test_messages PUBLIC jauscat_test_main)
 if(TARGET jauscat::jauscat)
     target_link_libraries(jauscat_test_messages PUBLIC jauscat::jauscat)

@@ -1,5 +1,5 @@
 // Every golden message, by its catalogue entry.
-#include "jaus/vectors.hpp"
+#include "schema/vectors.hpp"
 #include "support/catch.hpp"
 #include <jauscat/catalogue/json.hpp>
 #include <jauscat/catalogue/ra_3_3.hpp>

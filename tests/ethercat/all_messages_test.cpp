@@ -1,6 +1,6 @@
 // Every message of the standard across the EtherCAT wire: master, frames, emulated slaves, and the messages they make
 // of their objects.
-#include "jaus/messages.hpp"
+#include "schema/messages.hpp"
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include <jauscat/bridge/packet_exchange.hpp>

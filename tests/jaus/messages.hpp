@@ -1,82 +1,54 @@
-// Every message of the standard behind functions that are the same for all, so that a test is a loop over them and is
-// compiled once. What is compiled for each message stands in message_group.hpp.
+// Messages for tests of state machines: made whole, and collected from a sink.
 #pragma once
-#include "support/random_message.hpp"
-#include <jauscat/jaus/component/dispatcher.hpp>
-#include <jauscat/text/structure.hpp>
-#include <jauscat/wire/diagnose.hpp>
+#include "support/catch.hpp"
+#include "support/hex.hpp"
+#include <jauscat/jaus/message/message.hpp>
+#include <jauscat/jaus/message/message_sink.hpp>
 
-#include <functional>
-#include <string_view>
 #include <vector>
 
-namespace messages {
+namespace jauscat::test {
 
-namespace jaus = jauscat::jaus;
-namespace wire = jauscat::wire;
-using octets = std::vector<std::byte>;
+using bytes = std::vector<std::byte>;
 
-/// A message that was encoded.
-struct encoded {
-    wire::errc error{};
-    wire::diagnosis why{}; ///< what diagnose says of the value
-    octets bytes{};
-    bool decodes_to_itself{}; ///< what decode makes of the bytes equals the value
-    bool is_put{};            ///< jaus::put sends these bytes, in packets where they are many
+/// A whole message; command code and data size are filled in.
+template <jaus::coded_message T> bytes message(const jaus::header& head, const T& body) {
+    bytes out(jaus::header_size + jaus::max_body_size);
+    const auto message_bytes = jaus::make_message(head, body, out);
+    REQUIRE(message_bytes);
+    out.resize(message_bytes->size());
+    return out;
+}
+
+/// What a state machine has sent, in order.
+class sent_messages {
+  public:
+    [[nodiscard]] auto sink() {
+        return [this](std::span<const std::byte> m) { all_.emplace_back(m.begin(), m.end()); };
+    }
+    [[nodiscard]] bool empty() const { return all_.empty(); }
+    [[nodiscard]] std::size_t size() const { return all_.size(); }
+    [[nodiscard]] const bytes& operator[](std::size_t i) const { return all_.at(i); }
+    void clear() { all_.clear(); }
+    /// Takes all out.
+    [[nodiscard]] std::vector<bytes> take() { return std::exchange(all_, {}); }
+
+    [[nodiscard]] jaus::header header(std::size_t i) const { return split(i).header; }
+    template <jaus::coded_message T> [[nodiscard]] T body(std::size_t i) const {
+        const auto m = split(i);
+        REQUIRE(m.header.command_code == jaus::command_code_of<T>);
+        T body{};
+        REQUIRE(wire::decode(body, m.body));
+        return body;
+    }
+
+  private:
+    [[nodiscard]] jaus::split_message split(std::size_t i) const {
+        const auto m = jaus::split(all_.at(i));
+        REQUIRE(m);
+        return m;
+    }
+    std::vector<bytes> all_{};
 };
 
-/// What is made of some bytes.
-struct decoded {
-    wire::errc error{};
-    wire::errc raw_error{};      ///< of decoding into the raw message
-    wire::errc view_error{};     ///< of the view's check
-    wire::diagnosis why{};       ///< what diagnose says of the bytes
-    octets again{};              ///< what the value encodes to; empty after an error
-    octets raw_again{};          ///< the same for the raw message
-    bool view_agrees{};          ///< the view shows all members as decode does
-    wire::errc without_memory{}; ///< of decoding into lists without memory for one element
-};
-
-/// What decode and diagnose say of some bytes.
-struct judged {
-    wire::errc error{};
-    wire::diagnosis why{};
-};
-
-/// One message of the standard.
-struct message {
-    std::string_view name{}; ///< of its type
-    std::uint16_t code{};
-    std::size_t min_size{}, max_size{};          ///< bytes of the body
-    const jauscat::text::structure* structure{}; ///< its fields
-    std::size_t object_size{};                   ///< sizeof
-    bool has_lists{};                            ///< decoding takes an arena
-    encoded (*random)(support::generator&, const support::odds&){};
-    decoded (*decode)(std::span<const std::byte> body){};
-    judged (*judge)(std::span<const std::byte> body){};
-    /// Decodes the body and shows the value. False where it does not decode.
-    bool (*show)(std::span<const std::byte> body, const std::function<void(const void* value)>&){};
-    /// What a value that `fill` makes encodes to; empty where it does not.
-    octets (*build)(const std::function<void(void* value, wire::arena&)>& fill){};
-};
-
-/// What a typed handler was called with.
-struct handled {
-    std::uint16_t code{}; ///< of the handler's message
-    jaus::header header{};
-    octets body{}; ///< what the message encodes to
-};
-
-/// The messages whose codes have the same third hexadecimal digit: a subgroup of the standard.
-struct group {
-    std::span<const message> all{};
-    /// A dispatcher with a handler for each of them.
-    jaus::dispatched (*dispatch)(const jaus::header&, std::span<const std::byte> body, std::vector<handled>&){};
-};
-template <unsigned Digit> const group& group_of();
-
-/// All of them.
-const std::array<const group*, 10>& groups();
-std::vector<message> all();
-
-} // namespace messages
+} // namespace jauscat::test

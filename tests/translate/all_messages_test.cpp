@@ -1,8 +1,8 @@
 // Every message of the standard through both tables: some against packets that are written out here, all of them with
 // random headers and bodies against plain loops and back.
-#include "jaus/messages.hpp"
 #include "plain_translator.hpp"
 #include "samples.hpp"
+#include "schema/messages.hpp"
 #include "support/catch.hpp"
 #include <jauscat/bridge/delivery.hpp>
 

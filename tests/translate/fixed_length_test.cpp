@@ -1,7 +1,7 @@
 // Tables with objects of fixed length: the bytes, what is refused, and every message there and back.
-#include "jaus/messages.hpp"
 #include "plain_translator.hpp"
 #include "samples.hpp"
+#include "schema/messages.hpp"
 #include "support/catch.hpp"
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/schema/jaus/messages.hpp>

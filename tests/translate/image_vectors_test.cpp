@@ -1,6 +1,6 @@
 // The golden wrench effort messages into the process image and back.
 #include "image_samples.hpp"
-#include "jaus/vectors.hpp"
+#include "schema/vectors.hpp"
 
 using namespace jauscat;
 using namespace jauscat::test;

@@ -37,7 +37,8 @@ struct entry_data {
 
 } // namespace detail
 
-/// A message of a catalogue. Copies are references to the same, which lives as long as the program.
+/// A message of a catalogue (any_message.hpp has what its functions return). Copies are references to the same, which
+/// lives as long as the program.
 class entry {
   public:
     explicit entry(const detail::entry_data& data) noexcept : data_{&data} {}
@@ -83,5 +84,3 @@ class entry {
 };
 
 } // namespace jauscat::catalogue
-
-#include <jauscat/catalogue/any_message.hpp>

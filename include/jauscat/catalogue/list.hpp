@@ -1,6 +1,6 @@
 // Messages that are found by command code or name at run time.
 #pragma once
-#include <jauscat/catalogue/entry.hpp>
+#include <jauscat/catalogue/any_message.hpp>
 
 #include <algorithm>
 #include <initializer_list>

@@ -1,6 +1,6 @@
 // Events: provider and consumer by themselves with literal messages, every type and boundary, and both together on a
 // network that loses some.
-#include "messages.hpp"
+#include "jaus/messages.hpp"
 #include "support/hex.hpp"
 #include "support/instant.hpp"
 #include <jauscat/jaus/events/event_consumer.hpp>

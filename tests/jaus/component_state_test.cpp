@@ -1,5 +1,5 @@
 // The states of a component: every event in every state, by messages and by the application; the end of an emergency.
-#include "node/messages.hpp"
+#include "jaus/messages.hpp"
 #include "support/catch.hpp"
 #include <jauscat/jaus/component/component_state.hpp>
 

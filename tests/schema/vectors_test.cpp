@@ -1,8 +1,8 @@
 // Golden messages of every command code: header and body, field by field and byte for byte, through a socket to the
 // handler of the message's type.
-#include "jaus/messages.hpp"
-#include "jaus/udp_pair.hpp"
-#include "jaus/vectors.hpp"
+#include "schema/messages.hpp"
+#include "schema/udp_pair.hpp"
+#include "schema/vectors.hpp"
 #include "support/catch.hpp"
 #include <jauscat/jaus/message/payload_reader.hpp>
 #include <jauscat/schema/jaus/catalog.hpp>

@@ -1,5 +1,5 @@
 // Whole components that talk to each other: control, emergencies, acknowledgement, over a good channel and a bad one.
-#include "node/lossy_channel.hpp"
+#include "jaus/lossy_channel.hpp"
 #include "support/catch.hpp"
 #include "support/instant.hpp"
 #include <jauscat/jaus/component/component.hpp>

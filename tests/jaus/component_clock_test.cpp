@@ -1,5 +1,5 @@
 // A component's clock: set, queried, and right over the ends of months and in leap years.
-#include "node/messages.hpp"
+#include "jaus/messages.hpp"
 #include "support/catch.hpp"
 #include "support/instant.hpp"
 #include <jauscat/jaus/component/component_clock.hpp>

@@ -1,6 +1,6 @@
 // A channel in simulated time that loses, doubles and delays messages, and so changes their order.
 #pragma once
-#include "node/messages.hpp"
+#include "jaus/messages.hpp"
 #include "support/instant.hpp"
 
 #include <chrono>

@@ -1,6 +1,6 @@
 // Every message's schema against the standard's tables: names, order, types, sizes, presence bits, limits and units.
-#include "jaus/messages.hpp"
-#include "jaus/vectors.hpp"
+#include "schema/messages.hpp"
+#include "schema/vectors.hpp"
 #include "support/catch.hpp"
 #include "support/paths.hpp"
 #include <jauscat/schema/jaus/catalog.hpp>

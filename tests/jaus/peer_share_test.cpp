@@ -1,5 +1,5 @@
 // No peer takes the places of all others, however many components it says it has.
-#include "messages.hpp"
+#include "jaus/messages.hpp"
 #include "support/instant.hpp"
 #include <jauscat/jaus/events/events.hpp>
 #include <jauscat/jaus/events/service_connections.hpp>

@@ -1,5 +1,5 @@
 // What holds for every message: it comes back from JSON as it was, and its text names all of it.
-#include "jaus/messages.hpp"
+#include "schema/messages.hpp"
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include <jauscat/text/json.hpp>

@@ -1,7 +1,7 @@
 // What tests need of each message, instantiated for one subgroup at a time: a translation unit for each (see
 // message_group.cpp.in) keeps compilers within minutes and memory.
 #pragma once
-#include "jaus/messages.hpp"
+#include "schema/messages.hpp"
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/text/describe.hpp>

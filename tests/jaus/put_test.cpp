@@ -1,5 +1,5 @@
 // Messages of any size handed to a sink: the standard has 25 whose size has no bound.
-#include "node/messages.hpp"
+#include "jaus/messages.hpp"
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/schema/jaus/environment_sensor.hpp>
 

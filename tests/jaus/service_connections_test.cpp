@@ -1,5 +1,5 @@
 // Service connections: the two sides by themselves with literal messages, and together on a network that loses some.
-#include "messages.hpp"
+#include "jaus/messages.hpp"
 #include "support/hex.hpp"
 #include "support/instant.hpp"
 #include <jauscat/jaus/events/service_connections.hpp>

@@ -1,6 +1,6 @@
 // Control of a component: granted, refused, taken over, released, lost, and the commands that only the controller
 // sends.
-#include "node/lossy_channel.hpp"
+#include "jaus/lossy_channel.hpp"
 #include "support/catch.hpp"
 #include "support/instant.hpp"
 #include <jauscat/jaus/component/component_control.hpp>

@@ -1,5 +1,5 @@
 // Acknowledged messages: repeated until answered, delivered once.
-#include "node/lossy_channel.hpp"
+#include "jaus/lossy_channel.hpp"
 #include "support/catch.hpp"
 #include "support/instant.hpp"
 #include <jauscat/jaus/component/acknowledged_receiver.hpp>

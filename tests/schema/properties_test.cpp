@@ -1,5 +1,5 @@
 // Properties of every message of the standard, for any fields.
-#include "jaus/messages.hpp"
+#include "schema/messages.hpp"
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include <jauscat/schema/jaus/catalog.hpp>

@@ -1,5 +1,5 @@
 // Knows that the groups exist, and must not see how they are made: that would make all of them here.
-#include "jaus/messages.hpp"
+#include "schema/messages.hpp"
 
 namespace messages {
 

@@ -1,6 +1,6 @@
 // The list of all command codes. A message's place in it is its rank in the translation tables.
-#include "jaus/messages.hpp"
-#include "jaus/vectors.hpp"
+#include "schema/messages.hpp"
+#include "schema/vectors.hpp"
 #include "support/catch.hpp"
 #include <jauscat/schema/jaus/catalog.hpp>
 
