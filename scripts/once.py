@@ -12,6 +12,7 @@ What is known is in $XDG_CACHE_HOME/jauscat (~/.cache/jauscat).
   once.py --depfile a.d -- g++ -fsyntax-only -MD -MF a.d a.cpp
 """
 import argparse
+import contextlib
 import functools
 import hashlib
 import json
@@ -92,8 +93,9 @@ def run(command, key_files=(), programs=(), depfile=None, list_command=None):
 
 def forget_unused():
     for path in place.glob("*"):
-        if path.stat().st_mtime < time.time() - longest_unused:
-            path.unlink(missing_ok=True)
+        with contextlib.suppress(FileNotFoundError):  # another process has renamed or removed it
+            if path.stat().st_mtime < time.time() - longest_unused:
+                path.unlink()
 
 
 def main():
