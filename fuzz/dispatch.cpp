@@ -15,7 +15,7 @@ struct record {
     int handled{}, unknown{}, malformed{}, acknowledged{};
     std::uint16_t code{};
     wire::errc error{};
-    bytes again{}; ///< header and body, made again from what the handler got, if it may be sent
+    byte_vector again{}; ///< header and body, made again from what the handler got, if it may be sent
 };
 
 template <class T> struct take_message {
@@ -23,7 +23,7 @@ template <class T> struct take_message {
     void operator()(const jaus::header& head, const T& message) const {
         ++seen->handled;
         seen->code = jaus::command_code_of<T>;
-        bytes out(jaus::header_size + wire::encoded_size(message));
+        byte_vector out(jaus::header_size + wire::encoded_size(message));
         const auto message_bytes = jaus::make_message(head, message, out);
         if (!message_bytes) return;
         check(message_bytes->size() == out.size(), "a message that was received can be made");
@@ -68,7 +68,7 @@ void check_dispatch(const jaus::split_message& m) {
         check(seen.code == m.header.command_code, "a handler gets its own message");
         auto head = m.header;
         const auto body = canonical<T>(m.body); // may be shorter: an open presence vector drops bytes
-        bytes expected;
+        byte_vector expected;
         if (body) {
             head.data_size = static_cast<std::uint16_t>(body->size());
             expected = encoded(head).value();
@@ -84,7 +84,7 @@ void check_dispatch(const jaus::split_message& m) {
 void fuzz::run(std::span<const std::byte> input) {
     const auto framed = jaus::remove_framing(input);
     check(framed.message.size() + jaus::prefix(framed.how).size() == input.size(), "only the prefix is taken off");
-    const bytes message = copy_of(framed.message);
+    const byte_vector message = copy_of(framed.message);
     const auto m = jaus::split(message);
     check(!text::annotate_message(message, one_of_each_kind{}).empty(), "there is a text for any bytes");
     if (message.size() < jaus::header_size) {

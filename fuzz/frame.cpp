@@ -11,7 +11,7 @@ namespace {
 void check_rebuilt(std::span<const std::byte> frame, const frame_view& view, std::size_t used) {
     ethernet_header ethernet{};
     const auto header_size = *wire::decode_prefix(ethernet, frame);
-    bytes again(max_frame_size);
+    byte_vector again(max_frame_size);
     frame_builder builder{again, 0, ethernet};
     for (const auto datagram : view) {
         const auto room = builder.add(datagram.header);
@@ -48,10 +48,10 @@ void check_rebuilt(std::span<const std::byte> frame, const frame_view& view, std
 } // namespace
 
 void fuzz::run(std::span<const std::byte> input) {
-    const bytes frame = copy_of(input);
+    const byte_vector frame = copy_of(input);
     frame_view view;
     const auto used = view.parse(frame);
-    bytes changeable = frame;
+    byte_vector changeable = frame;
     mutable_frame_view mutable_view;
     check(mutable_view.parse(changeable).error() == used.error(), "both kinds of view agree");
     if (!used) {

@@ -14,14 +14,14 @@ using command = translate::image_translator<translation::set_wrench_effort_table
 using exchange =
     bridging::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
 
-wrench_effort_image values_of(const bytes& image) {
+wrench_effort_image values_of(const byte_vector& image) {
     wrench_effort_image values{};
     check(static_cast<bool>(wire::decode(values, image)), "an image has any bytes");
     return values;
 }
 
 /// Each element of `body` is in `after`, where it has one; else `after` has what `before` had.
-void check_elements(std::span<const std::byte> body, const bytes& before, const bytes& after) {
+void check_elements(std::span<const std::byte> body, const byte_vector& before, const byte_vector& after) {
     wire::raw<jaus::set_wrench_effort> message{};
     check(static_cast<bool>(wire::decode(message, body)), "what was taken decodes");
     const auto old_values = values_of(before), new_values = values_of(after);
@@ -38,14 +38,14 @@ void check_elements(std::span<const std::byte> body, const bytes& before, const 
     });
 }
 
-void command_into(std::span<const std::byte> body, const bytes& before) {
-    bytes after = before;
+void command_into(std::span<const std::byte> body, const byte_vector& before) {
+    byte_vector after = before;
     const auto error = command::to_image(body, after);
     jaus::set_wrench_effort real{};
     const bool decodes = static_cast<bool>(wire::decode(real, body));
     if (error != translate::errc::ok) {
         check(after == before, "a refused message changes no byte");
-        bytes merged = before;
+        byte_vector merged = before;
         check(command::merge(body, merged) == error && merged == before, "merging refuses the same");
         // What an image holds from before may be no value either, if not this table has written it.
         check(!decodes || error == translate::errc::out_of_range, "what decodes as real values goes into an image");
@@ -53,11 +53,11 @@ void command_into(std::span<const std::byte> body, const bytes& before) {
     }
     check(decodes, "what goes into an image decodes as real values");
     check_elements(body, before, after);
-    bytes back(wire::max_size<jaus::set_wrench_effort>);
+    byte_vector back(wire::max_size<jaus::set_wrench_effort>);
     const auto restored = command::from_image(after, back);
     check(restored && std::ranges::equal(*restored, body), "the body comes back byte for byte");
 
-    bytes merged = before;
+    byte_vector merged = before;
     const auto old_bits = values_of(before).presence_vector;
     check(command::merge(body, merged) == translate::errc::ok, "what goes into an image is merged too");
     auto expected = values_of(after);
@@ -69,10 +69,10 @@ void command_into(std::span<const std::byte> body, const bytes& before) {
 
 void fuzz::run(std::span<const std::byte> input) {
     input_reader in{input};
-    const bytes before = in.take_bytes(command::image_size);
+    const byte_vector before = in.take_bytes(command::image_size);
     command_into(copy_of(in.rest()), before);
 
-    bytes body(wire::max_size<jaus::set_wrench_effort>);
+    byte_vector body(wire::max_size<jaus::set_wrench_effort>);
     const auto restored = command::from_image(before, body);
     const bool defined = values_of(before).presence_vector < 0x1000;
     check(static_cast<bool>(restored) == defined,
@@ -80,7 +80,7 @@ void fuzz::run(std::span<const std::byte> input) {
 
     // Messages and images that anyone may send, through the exchange.
     exchange jaus{{.subsystem = 1, .station = 2}, 33};
-    bytes outputs = copy_of(before), inputs = in.take_bytes(command::image_size);
+    byte_vector outputs = copy_of(before), inputs = in.take_bytes(command::image_size);
     check(jaus.start(outputs, inputs) && jaus.given(outputs) == jaus.taken(inputs), "commands are counted on");
     const jaus::header head{.ack_nak = jaus::ack_nak::request, .source = {1, 32, 1, 1}};
     std::size_t waiting = 0;

@@ -12,7 +12,7 @@ namespace {
 // Whether a request asks for a write that a slave without segments and complete access carries out, and of what.
 struct wanted_write {
     bool valid{};
-    bytes data{};
+    byte_vector data{};
 };
 wanted_write wanted(std::span<const std::byte> message) {
     coe_header coe{};
@@ -34,7 +34,7 @@ wanted_write wanted(std::span<const std::byte> message) {
 void check_slave(std::span<const std::byte> message, std::size_t room) {
     objects source;
     coe_server server{source};
-    bytes out(room);
+    byte_vector out(room);
     const auto answer = server.answer(message, out);
     check(answer.size <= out.size(), "an answer fits the mailbox");
     check(answer.size == 0 || answer.error == mailbox_error_code::none, "either an answer or an error");
@@ -57,7 +57,7 @@ void check_slave(std::span<const std::byte> message, std::size_t room) {
           "an answer names the object that was asked for");
 
     // A master that asked for this object takes the answer for one.
-    bytes into(out.size());
+    byte_vector into(out.size());
     auto transfer = request.header.specifier == sdo_specifier::upload_request
                         ? sdo_transfer::upload(request.header.index, request.header.subindex, into)
                         : sdo_transfer::download(request.header.index, request.header.subindex, {});
@@ -72,9 +72,9 @@ void check_slave(std::span<const std::byte> message, std::size_t room) {
 // A server that describes its objects: each message of an answer fits, and the answer ends.
 void check_information(std::span<const std::byte> message, std::size_t room) {
     described_objects source;
-    bytes memory(1020);
+    byte_vector memory(1020);
     coe_server server{source, {.transfer_memory = memory, .subindex_0_rule = true, .state_rule = true}};
-    bytes out(room);
+    byte_vector out(room);
     auto answer = server.answer(message, out);
     check(answer.size <= out.size(), "an answer fits the mailbox");
     std::size_t fragments = 1;
@@ -108,13 +108,13 @@ void check_master(std::span<const std::byte> message, sdo_transfer transfer, std
 void fuzz::run(std::span<const std::byte> input) {
     input_reader in{input};
     const auto room = min_mailbox_size - wire::max_size<mailbox_header> + in.take();
-    const bytes message = copy_of(in.rest());
+    const byte_vector message = copy_of(in.rest());
     check_slave(message, room);
     check_information(message, room);
 
     sdo_header asked{}; // for the object that the message is about, so that it may be an answer
     if (message.size() >= 6) static_cast<void>(wire::decode_prefix(asked, std::span{message}.subspan(2)));
-    bytes into(room);
+    byte_vector into(room);
     check_master(message, sdo_transfer::upload(asked.index, asked.subindex, into), room);
     check_master(message, sdo_transfer::download(asked.index, asked.subindex, into), room);
 }

@@ -25,8 +25,8 @@ class session {
     void run() {
         job([&] { return master_.start(bring_up{0, station}); });
         const auto size = std::size_t{in_.take()};
-        const bytes data(size);
-        bytes into(size);
+        const byte_vector data(size);
+        byte_vector into(size);
         const auto index = in_.take<wire::u16le>();
         const auto subindex = in_.take();
         for (int i = 0; i != 3 && !in_.empty(); ++i) {
@@ -38,7 +38,7 @@ class session {
     }
 
   private:
-    void any_job(bytes& into) {
+    void any_job(byte_vector& into) {
         const auto fits = [&](std::size_t size) { check(size <= into.size(), "an answer fits its buffer"); };
         switch (in_.take() % 9) {
         case 0:
@@ -70,12 +70,12 @@ class session {
     // Forged process data never leave a slave's place.
     void cycles() {
         process_data_for<4, 4096> data{master_.slaves(), {.watch_slaves = in_.take() % 2 != 0}};
-        bytes frame(max_frame_size);
+        byte_vector frame(max_frame_size);
         for (int i = 0; i != 4; ++i) {
             data.begin_cycle();
             const auto size = data.next_frame(frame, now_);
             if (size == 0) return;
-            bytes back(frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size));
+            byte_vector back(frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size));
             device_.process(back);
             for (auto left = in_.take() % 4; left != 0; --left)
                 back[in_.take<wire::u16le>() % back.size()] = std::byte{in_.take()};
@@ -93,7 +93,7 @@ class session {
         const bool clean = in_.empty();
         check(static_cast<bool>(start()), "an idle master takes a job");
         check(master_.idle() || !start(), "a busy master takes no job");
-        timed_.run([this](bytes& frame) {
+        timed_.run([this](byte_vector& frame) {
             frame_view view;
             check(static_cast<bool>(view.parse(frame)), "a master sends frames that parse");
             travel(std::move(frame));
@@ -102,7 +102,7 @@ class session {
         if (clean) check(master_.error().code != master_errc::no_reply, "on a good link replies come");
     }
 
-    void travel(bytes frame) {
+    void travel(byte_vector frame) {
         switch (static_cast<fate>(in_.take() % static_cast<unsigned>(fate::count))) {
         case fate::lost: return;
         case fate::changed:
@@ -122,7 +122,7 @@ class session {
         }
     }
 
-    void answer(bytes& frame) {
+    void answer(byte_vector& frame) {
         mutable_frame_view view;
         static_cast<void>(view.parse(frame));
         for (const auto datagram : view) {
@@ -148,7 +148,7 @@ class session {
 
     input_reader in_;
     objects source_{};
-    bytes memory_ = bytes(1020); // of the largest object
+    byte_vector memory_ = byte_vector(1020); // of the largest object
     slave device_{description(0), object_dictionary{source_}, {.transfer_memory = memory_}};
     timed_master timed_{};
     master& master_{timed_.master};

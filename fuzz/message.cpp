@@ -10,7 +10,7 @@ namespace {
 
 // What took `size` bytes of the arena needs no more than that; with less it is refused for that reason alone.
 template <class T> void check_memory(std::span<const std::byte> body, std::size_t size) {
-    bytes memory(size);
+    byte_vector memory(size);
     for (const std::size_t given : {size, size / 2}) {
         wire::arena arena{std::span{memory}.first(given)};
         T message{};
@@ -42,7 +42,7 @@ template <class T> [[gnu::noinline]] void check_body(std::span<const std::byte> 
     check(encoded(message) == expected, "a message encodes to the bytes it was decoded from");
     if constexpr (wire::needs_memory<T>) check_memory<T>(body, used);
     if (expected && !expected->empty()) {
-        bytes short_by_one(expected->size() - 1);
+        byte_vector short_by_one(expected->size() - 1);
         check(wire::encode(message, short_by_one).error() == wire::errc::no_space, "one byte too few is no space");
     }
 }

@@ -30,9 +30,9 @@ class session {
 
     void execute() {
         const auto options = in_.take();
-        const bytes request = in_.take_bytes(in_.take<wire::u16le>() % 1700);
+        const byte_vector request = in_.take_bytes(in_.take<wire::u16le>() % 1700);
         steps_ = in_.take() % 64;
-        bytes confirmation((options & 4) != 0 ? in_.take() : packet_job::confirmation_size + 4);
+        byte_vector confirmation((options & 4) != 0 ? in_.take() : packet_job::confirmation_size + 4);
         packet_options how{.check_header = (options & 2) != 0};
         if ((options & 1) != 0) how.slaves = bus;
 
@@ -58,14 +58,14 @@ class session {
     }
 
     void drive() {
-        timed_.run([this](bytes& frame) {
+        timed_.run([this](byte_vector& frame) {
             for (auto& each : slaves_) each.process(frame);
             if (disturb(frame)) master_.on_frame(frame, timed_.now);
         });
     }
 
     // False where the frame is lost.
-    bool disturb(bytes& frame) {
+    bool disturb(byte_vector& frame) {
         if (steps_ == 0) return true;
         --steps_;
         const auto step = in_.take();
@@ -79,7 +79,7 @@ class session {
     objects own_{};
     slave_description first_ = description(0), second_ = description(2);
     standard_objects dictionaries_[2]{{first_, own_}, {second_, own_}};
-    bytes memory_ = bytes(1020); // of the largest object
+    byte_vector memory_ = byte_vector(1020); // of the largest object
     std::array<slave, 2> slaves_{slave{first_, dictionaries_[0], {.transfer_memory = memory_}},
                                  slave{second_, dictionaries_[1]}};
     timed_master timed_{};

@@ -17,7 +17,7 @@
 #include <iostream>
 
 using namespace jauscat;
-using bytes = std::vector<std::byte>;
+using byte_vector = std::vector<std::byte>;
 
 namespace {
 
@@ -37,21 +37,21 @@ class seed_folder {
     std::size_t count_{};
 };
 
-void append(bytes& to, std::span<const std::byte> more) { to.insert(to.end(), more.begin(), more.end()); }
+void append(byte_vector& to, std::span<const std::byte> more) { to.insert(to.end(), more.begin(), more.end()); }
 
 template <class Table> void add_packet(seed_folder& folder, std::span<const std::byte> message) {
     using translator = translate::translator<Table>;
-    bytes packet(translator::max_packet_size);
+    byte_vector packet(translator::max_packet_size);
     if (const auto translated = translator::to_packet(message, packet)) folder.add(*translated);
 }
 
 void write_messages(const std::filesystem::path& root) {
     seed_folder message{root, "message"}, view{root, "view"}, dispatch{root, "dispatch"};
     seed_folder translation{root, "translate"}, stream{root, "stream"}, image{root, "image"};
-    bytes line(2);
+    byte_vector line(2);
     for (const auto& golden : golden::vectors()) {
         const std::span<const std::byte> whole{golden.bytes};
-        bytes coded_body{whole[2], whole[3]};
+        byte_vector coded_body{whole[2], whole[3]};
         append(coded_body, whole.subspan(16));
         message.add(coded_body);
         view.add(coded_body);
@@ -60,7 +60,7 @@ void write_messages(const std::filesystem::path& root) {
         add_packet<translation::seed_table>(translation, whole);
         add_packet<translation::self_contained_table>(translation, whole);
         if (golden.code == jaus::command_code_of<jaus::set_wrench_effort>) {
-            bytes image_and_body(wire::max_size<translation::wrench_effort_image>);
+            byte_vector image_and_body(wire::max_size<translation::wrench_effort_image>);
             append(image_and_body, whole.subspan(16));
             image.add(image_and_body);
         }
@@ -73,8 +73,8 @@ void write_messages(const std::filesystem::path& root) {
 }
 
 // A frame in the form of fuzz/support/steps.hpp.
-bytes step_of(const ethercat::frame_view& frame) {
-    bytes step(1);
+byte_vector step_of(const ethercat::frame_view& frame) {
+    byte_vector step(1);
     for (const auto datagram : frame) {
         step[0] = static_cast<std::byte>(std::to_integer<unsigned>(step[0]) + 1);
         append(step, datagram.bytes.first(datagram.bytes.size() - 2));
@@ -84,7 +84,7 @@ bytes step_of(const ethercat::frame_view& frame) {
 
 // Our own master on a link that loses every fifth frame on its way back, so that it asks the slave to repeat its mail.
 // (Every third would be the answer to each repeat, for ever.)
-bytes repeated_session(std::uint8_t options) {
+byte_vector repeated_session(std::uint8_t options) {
     fuzz::objects objects;
     std::array devices{ethercat::slave{fuzz::description(options), ethercat::object_dictionary{objects}}};
     test::simulated_link link{devices};
@@ -95,15 +95,15 @@ bytes repeated_session(std::uint8_t options) {
     };
     done(ethercat::bring_up{0, 2});
     int passed = 0;
-    link.on_way_back = [&](bytes& frame) {
+    link.on_way_back = [&](byte_vector& frame) {
         if (++passed % 5 == 0) frame.clear();
     };
-    const bytes data(8);
-    bytes into(8);
+    const byte_vector data(8);
+    byte_vector into(8);
     done(ethercat::download{2, 0x1000, 4, data});
     done(ethercat::upload{2, 0x1000, 2, into});
 
-    bytes session{std::byte{options}};
+    byte_vector session{std::byte{options}};
     for (const auto& frame : link.seen) {
         ethercat::frame_view view;
         if (view.parse(frame)) append(session, step_of(view));
@@ -114,7 +114,7 @@ bytes repeated_session(std::uint8_t options) {
 void write_traffic(const std::filesystem::path& root) {
     seed_folder frames{root, "frame"}, mailbox{root, "mailbox"}, slave{root, "slave"}, master{root, "master"};
     for (const auto* capture : {"ethercat_soem_soes.pcap", "ethercat_kickcat.pcap"}) {
-        bytes session(1);
+        byte_vector session(1);
         std::size_t steps = 0;
         const auto recorded = test::read_pcap(capture);
         for (std::size_t i = 0; i != recorded.size(); ++i) {
@@ -126,7 +126,7 @@ void write_traffic(const std::filesystem::path& root) {
                 const auto used = wire::decode_prefix(header, datagram.data);
                 if (!used || header.type != ethercat::mailbox_type::coe || header.length > datagram.data.size() - 6)
                     continue;
-                bytes mail(1);
+                byte_vector mail(1);
                 append(mail, datagram.data.subspan(*used, header.length));
                 mailbox.add(mail);
             }
@@ -135,7 +135,7 @@ void write_traffic(const std::filesystem::path& root) {
             if (++steps % 60 == 0) slave.add(session);
         }
         slave.add(session);
-        bytes forged{std::byte{4}};
+        byte_vector forged{std::byte{4}};
         append(forged, step_of([&] {
                    ethercat::frame_view view;
                    static_cast<void>(view.parse(recorded[1]));
@@ -144,10 +144,10 @@ void write_traffic(const std::filesystem::path& root) {
         master.add(forged);
     }
     for (const std::uint8_t options : std::array<std::uint8_t, 3>{0, 2, 4}) slave.add(repeated_session(options));
-    master.add(bytes(80));                 // all goes well
-    master.add(bytes(80, std::byte{2}));   // changed
-    master.add(bytes(2000, std::byte{3})); // answered with anything
-    bytes lossy;
+    master.add(byte_vector(80));                 // all goes well
+    master.add(byte_vector(80, std::byte{2}));   // changed
+    master.add(byte_vector(2000, std::byte{3})); // answered with anything
+    byte_vector lossy;
     for (int i = 0; i != 80; ++i) append(lossy, std::array{std::byte{0}, std::byte{0}, std::byte{1}});
     master.add(lossy);
 }
@@ -159,8 +159,8 @@ void write_segments(const std::filesystem::path& root) {
         for (const int size : {3, 20, 100})
             segments.add(std::array{std::byte{0}, std::byte{1}, static_cast<std::byte>(options),
                                     static_cast<std::byte>(size), std::byte{0}});
-    bytes changed{std::byte{0}, std::byte{1}, std::byte{0}, std::byte{100}, std::byte{0}};
-    append(changed, bytes(6));
+    byte_vector changed{std::byte{0}, std::byte{1}, std::byte{0}, std::byte{100}, std::byte{0}};
+    append(changed, byte_vector(6));
     append(changed, std::array{std::byte{6}, std::byte{2}, std::byte{0x80}});
     segments.add(changed);
 }
@@ -169,12 +169,12 @@ void write_segments(const std::filesystem::path& root) {
 void write_packets(const std::filesystem::path& root) {
     using namespace hilscher;
     seed_folder packets{root, "packets"};
-    bytes all, scan;
+    byte_vector all, scan;
     const auto add = [&](auto packet, std::span<const std::byte> data = {}) {
         packet.head.ul_dest = 0x20;
         const auto size = wire::max_size<decltype(packet)> + data.size();
         packet.head.ul_len = static_cast<std::uint32_t>(size - 40);
-        bytes step(3 + wire::max_size<decltype(packet)>);
+        byte_vector step(3 + wire::max_size<decltype(packet)>);
         step[1] = static_cast<std::byte>(size);
         if (!wire::encode(packet, std::span{step}.subspan(3)))
             throw std::runtime_error{"a packet that does not encode"};
@@ -182,7 +182,7 @@ void write_packets(const std::filesystem::path& root) {
         step.push_back({}); // nothing is disturbed
         append(all, step);
         if (scan.empty()) scan = step;
-        bytes after_scan = scan;
+        byte_vector after_scan = scan;
         append(after_scan, step);
         packets.add(after_scan);
     };

@@ -11,7 +11,7 @@ namespace {
 
 /// Every object is the same one, and takes any size.
 struct object {
-    bytes value{};
+    byte_vector value{};
     std::size_t writes{};
 
     object_read read(std::uint16_t, std::uint8_t, std::span<std::byte> out) noexcept {
@@ -33,10 +33,10 @@ class session {
     void run() {
         const std::size_t out_room = room(), in_room = room();
         const auto options = in_.take();
-        const bytes data = counting(in_.take<wire::u16le>() % 600u);
+        const byte_vector data = counting(in_.take<wire::u16le>() % 600u);
         const bool uploads = (options & 1) != 0, cleared = (options & 2) != 0, ruled = (options & 4) != 0;
         object source;
-        bytes memory((options & 32) != 0 ? data.size() / 2 : data.size()), into(data.size());
+        byte_vector memory((options & 32) != 0 ? data.size() / 2 : data.size()), into(data.size());
         if (uploads) source.value = data;
         coe_server server{source,
                           {.transfer_memory = memory, .subindex_0_rule = ruled, .empty_start = (options & 8) != 0}};
@@ -49,11 +49,11 @@ class session {
         auto what = reply_kind::proceed;
         for (std::size_t messages = 0; what == reply_kind::proceed; ++messages) {
             check(messages <= data.size() + 2, "a transfer comes to an end");
-            bytes request(transfer.size());
+            byte_vector request(transfer.size());
             check(request.size() <= out_room, "a request fits the mailbox");
             transfer.encode(request);
             change(request, out_room);
-            bytes reply(in_room, std::byte{0xEE});
+            byte_vector reply(in_room, std::byte{0xEE});
             const auto answer = server.answer(request, reply);
             check(answer.size <= reply.size(), "an answer fits the mailbox");
             reply.resize(answer.size);
@@ -81,13 +81,13 @@ class session {
     // Bytes of a message in a mailbox of 24 to 87.
     std::size_t room() { return min_mailbox_size - wire::max_size<mailbox_header> + in_.take() % 64; }
 
-    static bytes counting(std::size_t size) {
-        bytes data(size);
+    static byte_vector counting(std::size_t size) {
+        byte_vector data(size);
         for (std::size_t i = 0; i != size; ++i) data[i] = static_cast<std::byte>(i);
         return data;
     }
 
-    void change(bytes& message, std::size_t room) {
+    void change(byte_vector& message, std::size_t room) {
         const auto fate = in_.take() % 8;
         if (fate < 5 || message.empty()) return;
         clean_ = false;

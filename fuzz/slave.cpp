@@ -40,8 +40,8 @@ void check_datagram(const datagram_view& sent, const datagram_view& back) {
     if (does_nothing(sent.header.cmd) || is_logical(sent.header.cmd)) check(moved == 0, "they have no position");
 }
 
-void check_frame(slave& device, bytes frame) {
-    const bytes sent = frame;
+void check_frame(slave& device, byte_vector frame) {
+    const byte_vector sent = frame;
     frame_view before, after;
     const bool parses = static_cast<bool>(before.parse(sent));
     const slave unchanged = device;
@@ -66,7 +66,7 @@ void fuzz::run(std::span<const std::byte> input) {
     input_reader in{input};
     objects plain;
     described_objects described;
-    bytes memory(1020); // of the largest object
+    byte_vector memory(1020); // of the largest object
     constexpr std::array outputs{pdo_entry{0x7000, 1, 32, 7, "value"}, pdo_entry{0x7000, 2, 3, 5, "mode"}};
     constexpr std::array inputs{pdo_entry{0x6000, 1, 64, 0x1B, "value"}};
     constexpr std::array refused{refused_object{0x2002, 1, abort_code::hardware}};

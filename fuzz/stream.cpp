@@ -16,7 +16,7 @@ constexpr auto idle = 10ms;
 // A framer, and what it hands on.
 class listener {
   public:
-    std::vector<bytes> messages{};
+    std::vector<byte_vector> messages{};
 
     void hear(std::span<const std::byte> part, std::chrono::nanoseconds now) {
         framer_.on_bytes(part, jauscat::time_point{now},
@@ -33,8 +33,8 @@ class listener {
 };
 
 /// The messages of a stream that is at hand as a whole; `no_more` will come.
-std::vector<bytes> messages_in(std::span<const std::byte> stream, bool no_more) {
-    std::vector<bytes> found;
+std::vector<byte_vector> messages_in(std::span<const std::byte> stream, bool no_more) {
+    std::vector<byte_vector> found;
     while (stream.size() >= jaus::header_size) {
         jaus::header head{};
         static_cast<void>(wire::decode_prefix(head, stream));
@@ -60,7 +60,7 @@ void fuzz::run(std::span<const std::byte> input) {
     input_reader in{input};
     const std::size_t first_part = std::size_t{in.take()} + 1;
     const std::size_t part_step = in.take();
-    const bytes stream = copy_of(in.rest());
+    const byte_vector stream = copy_of(in.rest());
 
     listener whole, in_parts;
     whole.hear(stream, 0ms);

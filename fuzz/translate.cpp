@@ -16,7 +16,7 @@ template <class Table> struct checked {
     using errc = translate::errc;
 
     static void message(std::span<const std::byte> input) {
-        bytes packet(translator::max_packet_size);
+        byte_vector packet(translator::max_packet_size);
         const auto there = translator::to_packet(input, packet);
         if (!there) {
             check(there.error() == errc::truncated || there.error() == errc::wrong_size ||
@@ -28,10 +28,10 @@ template <class Table> struct checked {
         packet.resize(there->size());
         check(there->size() - translator::packet_size + translator::header_size == input.size() + translator::rest_size,
               "a packet carries the rest of the header and the body");
-        bytes short_by_one(there->size() - 1);
+        byte_vector short_by_one(there->size() - 1);
         check(translator::to_packet(input, short_by_one).error() == errc::no_space, "one byte too few is no space");
 
-        bytes message(input.size());
+        byte_vector message(input.size());
         const auto back = translator::from_packet(packet, message);
         check(back && back->size() == input.size(), "a packet that was made translates back");
         check(message == copy_of(input), "a message comes back byte for byte");
@@ -44,7 +44,7 @@ template <class Table> struct checked {
         if (delivery::deliverable(head) != errc::ok) return;
         const auto object = delivery::object_of(packet);
         check(object.station == head.destination.node && object.subindex != 0, "an object belongs to its slave");
-        bytes received(message.size());
+        byte_vector received(message.size());
         const auto restored = delivery::message_of(
             object,
             {.subsystem = head.destination.subsystem, .station = object.station, .instance = head.destination.instance},
@@ -54,7 +54,7 @@ template <class Table> struct checked {
     }
 
     static void packet(std::span<const std::byte> input) {
-        bytes message(translator::max_message_size);
+        byte_vector message(translator::max_message_size);
         const auto back = translator::from_packet(input, message);
         if (!back) {
             check(back.error() != errc::no_space, "the largest message has room");
@@ -64,13 +64,13 @@ template <class Table> struct checked {
         sdo_download_request fields{};
         static_cast<void>(wire::decode_prefix(fields, input));
         check(fields.head.ul_len >= 16 + fields.ul_data_cnt, "a packet is as long as its data count says");
-        bytes packet(translator::max_packet_size);
+        byte_vector packet(translator::max_packet_size);
         const auto there = translator::to_packet(message, packet, fields);
         check(static_cast<bool>(there), "a message that was made translates");
         packet.resize(there->size());
         // Allowed: a packet may be longer than its data count says, and state that length; it comes back without.
         fields.head.ul_len = 16 + fields.ul_data_cnt;
-        bytes expected = encoded(fields).value();
+        byte_vector expected = encoded(fields).value();
         const auto data = input.subspan(expected.size(), fields.ul_data_cnt);
         expected.insert(expected.end(), data.begin(), data.end());
         check(packet == expected, "a packet comes back byte for byte");
@@ -82,8 +82,8 @@ template <class Table> struct checked {
         const auto index = in.take<wire::u16le>();
         const auto subindex = in.take();
         const bridging::slave_identity self{.subsystem = in.take(), .station = in.take(), .instance = in.take()};
-        const bytes data = copy_of(in.rest());
-        bytes message(translator::max_message_size);
+        const byte_vector data = copy_of(in.rest());
+        byte_vector message(translator::max_message_size);
         const auto message_bytes = delivery::message_of({self.station, index, subindex, data}, self, message);
         if (!message_bytes) {
             check(message_bytes.error() != errc::no_space, "the largest message has room");
@@ -94,7 +94,7 @@ template <class Table> struct checked {
         static_cast<void>(wire::decode_prefix(head, std::span<const std::byte>{message}));
         check(head.data_size == message_bytes->size() - jaus::header_size, "a delivered message states its size");
         check(head.destination.node == self.station, "a delivered message names its slave");
-        bytes packet(translator::max_packet_size);
+        byte_vector packet(translator::max_packet_size);
         const auto there = translator::to_packet(message, packet);
         check(static_cast<bool>(there), "a delivered message translates");
         const auto again = delivery::object_of(*there);

@@ -41,7 +41,7 @@ class canonical_trace : public jauscat::wire::decode_trace {
         keep();
     }
 
-    [[nodiscard]] std::optional<bytes> written() && {
+    [[nodiscard]] std::optional<byte_vector> written() && {
         return too_long_ ? std::nullopt : std::optional{std::move(out_)};
     }
 
@@ -75,7 +75,7 @@ class canonical_trace : public jauscat::wire::decode_trace {
 
     std::span<const std::byte> in_;
     std::size_t at_{};
-    bytes out_;
+    byte_vector out_;
     std::vector<std::size_t> vectors_; ///< where the presence vectors stand that decoding is inside of
     bool too_long_{};
 };
@@ -84,7 +84,7 @@ class canonical_trace : public jauscat::wire::decode_trace {
 
 /// `body` as a `T` that was decoded from it encodes; nothing where it holds a string that is longer than may be sent.
 /// `body` is one that `wire::raw<T>` decodes.
-template <jauscat::wire::message T> std::optional<bytes> canonical(std::span<const std::byte> body) {
+template <jauscat::wire::message T> std::optional<byte_vector> canonical(std::span<const std::byte> body) {
     namespace wire = jauscat::wire;
     wire::raw<T> scratch{};
     detail::canonical_trace trace{body};
@@ -93,8 +93,8 @@ template <jauscat::wire::message T> std::optional<bytes> canonical(std::span<con
 }
 
 /// `message` encoded into memory of exactly its size; nothing where its string is longer than may be sent.
-template <jauscat::wire::message T> std::optional<bytes> encoded(const T& message) {
-    bytes out(jauscat::wire::encoded_size(message));
+template <jauscat::wire::message T> std::optional<byte_vector> encoded(const T& message) {
+    byte_vector out(jauscat::wire::encoded_size(message));
     const auto written = jauscat::wire::encode(message, out);
     if (written.error() == jauscat::wire::errc::out_of_range) return {};
     check(static_cast<bool>(written), "what decodes encodes");

@@ -40,7 +40,7 @@ void with_message(std::uint16_t code, jauscat::jaus::message_list<Messages...>, 
 void with_body(std::span<const std::byte> input, auto messages, auto&& call) {
     input_reader in{input};
     const auto code = in.take<jauscat::wire::u16le>();
-    const bytes body = copy_of(in.rest());
+    const byte_vector body = copy_of(in.rest());
     with_message(code, messages, [&]<class T>() { call.template operator()<T>(body); });
 }
 

@@ -31,7 +31,7 @@ inline jauscat::ethercat::slave_description description(std::uint8_t options) {
 class objects {
   public:
     std::size_t reads{}, writes{};
-    bytes last_written{};
+    byte_vector last_written{};
     std::function<void()> on_access{[] {}};
 
     jauscat::ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {

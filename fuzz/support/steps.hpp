@@ -11,11 +11,11 @@ inline constexpr std::uint8_t raw_frame_step = 0xFF;
 
 /// The frame of the next step; empty where it does not fit a frame. Any other step is a number of datagrams, then for
 /// each its header (10 bytes) and data.
-inline bytes next_frame(input_reader& in) {
+inline byte_vector next_frame(input_reader& in) {
     using namespace jauscat;
     const auto kind = in.take();
     if (kind == raw_frame_step) return in.take_bytes(in.take<wire::u16le>() % (ethercat::max_frame_size + 1));
-    bytes frame(ethercat::max_frame_size);
+    byte_vector frame(ethercat::max_frame_size);
     ethercat::frame_builder builder{frame};
     for (unsigned left = kind % 16; left != 0; --left) {
         ethercat::datagram_header header{};

@@ -13,7 +13,7 @@
 
 namespace fuzz {
 
-using bytes = std::vector<std::byte>;
+using byte_vector = std::vector<std::byte>;
 
 /// One execution. Each target defines it.
 void run(std::span<const std::byte> input);
@@ -26,7 +26,7 @@ inline void check(bool holds, const char* sentence) {
 }
 
 /// A copy in memory of exactly its size, so that the address sanitizer sees the first byte behind it.
-inline bytes copy_of(std::span<const std::byte> from) { return {from.begin(), from.end()}; }
+inline byte_vector copy_of(std::span<const std::byte> from) { return {from.begin(), from.end()}; }
 
 /// Memory for the lists of one execution: far more than most inputs can ask for.
 inline jauscat::wire::arena& fresh_arena() {
@@ -45,15 +45,15 @@ class input_reader {
     [[nodiscard]] std::span<const std::byte> rest() const { return rest_; }
 
     template <jauscat::wire::codec Codec = jauscat::wire::u8> typename Codec::value_type take() {
-        const bytes image = take_bytes(Codec::size);
+        const byte_vector image = take_bytes(Codec::size);
         typename Codec::value_type value{};
         static_cast<void>(Codec::load(image.data(), value));
         return value;
     }
-    bytes take_bytes(std::size_t size) {
+    byte_vector take_bytes(std::size_t size) {
         const auto here = rest_.first(std::min(size, rest_.size()));
         rest_ = rest_.subspan(here.size());
-        bytes taken = copy_of(here);
+        byte_vector taken = copy_of(here);
         taken.resize(size);
         return taken;
     }

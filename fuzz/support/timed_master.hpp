@@ -22,7 +22,7 @@ class timed_master {
     void run(auto&& travel) {
         for (int steps = 0; !master.idle(); ++steps) {
             check(steps != 20'000, "a job ends");
-            bytes frame(jauscat::ethercat::max_frame_size);
+            byte_vector frame(jauscat::ethercat::max_frame_size);
             frame.resize(master.next_frame(frame, now));
             if (!frame.empty()) {
                 now += std::chrono::microseconds{5};
