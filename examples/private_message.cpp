@@ -16,8 +16,6 @@
 namespace gripper {
 
 namespace jaus = jauscat::jaus;
-using namespace jauscat::wire::items; // the words of layouts
-
 struct opening_range {
     static constexpr double min = 0, max = 200;
     static constexpr std::string_view unit = "mm";
@@ -30,7 +28,7 @@ struct set_gripper {
     std::optional<double> force{};   ///< percent of the most, 0 to 100
     friend constexpr bool operator==(const set_gripper&, const set_gripper&) = default;
 
-    struct schema {
+    struct schema : jauscat::wire::items {
         static constexpr std::uint16_t command_code = 0xD101;
         using T = set_gripper;
         using type = layout<field<&T::finger, u8>, presence<u8, field<&T::opening, scaled<u16le, opening_range>>,

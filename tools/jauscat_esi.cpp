@@ -1,17 +1,16 @@
 // jauscat-esi: writes the ESI file and the SII of a slave, and checks ESI files.
-#include "standard_messages.hpp"
 #include "support/arm_slave.hpp"
 #include "support/link_options.hpp"
 #include "support/mailbox_option.hpp"
+#include <jauscat/bridge/object_list.hpp>
+#include <jauscat/catalogue/ra_3_3.hpp>
 #include <jauscat/esi/check_esi.hpp>
 #include <jauscat/esi/emulated_device.hpp>
 #include <jauscat/esi/make_device.hpp>
 #include <jauscat/esi/read_esi.hpp>
 #include <jauscat/esi/write_esi.hpp>
-#include <jauscat/text/suggestion.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <deque>
 #include <fstream>
@@ -19,8 +18,8 @@
 namespace {
 
 namespace bridging = jauscat::bridging;
+namespace catalogue = jauscat::catalogue;
 namespace esi = jauscat::esi;
-namespace translation = jauscat::translation;
 
 constexpr const char* help =
     R"(jauscat-esi: writes an ESI file (EtherCAT Slave Information) and an SII, or checks a file.
@@ -45,52 +44,27 @@ Exit code: 0 on success, with --check if nothing is missing; 1 if a file cannot 
 missing; 2 for a wrong command line.
 )";
 
-/// What a translation table makes of a component and of a message's size.
+/// What a translation table makes of a component and of a message.
 struct table_numbers {
     std::uint16_t first_index{}; ///< of component 1; those of the others follow
-    std::size_t overhead{}, max_data{};
     bool exact_size{};
+    bridging::sub_object (*sub_object_of)(std::uint16_t command_code, std::string_view name, std::size_t max_body){};
 
     template <class Table> static constexpr table_numbers of() {
-        return {bridging::object_list<Table, 1>::index, Table::overhead, Table::max_data,
-                jauscat::translate::has_fixed_length<Table>};
+        return {bridging::object_list<Table, 1>::index, jauscat::translate::has_fixed_length<Table>,
+                &bridging::sub_object_of<Table>};
     }
-    /// A subobject under the seed table has all that a packet carries, or the largest message.
-    [[nodiscard]] std::uint16_t size_of(const bridging::sub_object& under_seed) const {
-        const auto more = overhead - translation::seed_table::overhead;
-        return static_cast<std::uint16_t>(std::min<std::size_t>(under_seed.max_size + more, max_data));
+    [[nodiscard]] bridging::sub_object of(const catalogue::entry& message) const {
+        return sub_object_of(message.command_code(), message.name(),
+                             message.takes_rest() ? jauscat::wire::unbounded : message.max_size());
     }
 };
 
-/// `Set Joint Velocities` and `set_joint_velocities` are the same.
-std::string name_of(std::string_view text) {
-    std::string name{text};
-    for (auto& each : name) {
-        const auto character = static_cast<unsigned char>(each);
-        each = std::isalnum(character) != 0 ? static_cast<char>(std::tolower(character)) : '_';
-    }
-    return name;
-}
-
 /// A message by its name or its code.
-const bridging::sub_object& find_message(const std::string& text) {
-    const auto all = standard_messages();
-    std::uint16_t code{};
-    const auto* const end = text.data() + text.size();
-    if (text.starts_with("0x")) {
-        const auto [stop, error] = std::from_chars(text.data() + 2, end, code, 16);
-        if (error != std::errc{} || stop != end)
-            throw example::usage_error{"--component: '" + text + "' is no command code such as 0x0405"};
-        const auto found = std::ranges::find(all, code, &bridging::sub_object::command_code);
-        if (found == all.end()) throw example::usage_error{"--component: no message has the command code " + text};
-        return *found;
-    }
-    const auto found = std::ranges::find(all, name_of(text), &bridging::sub_object::name);
-    if (found != all.end()) return *found;
-    std::vector<std::string_view> names;
-    for (const auto& each : all) names.push_back(each.name);
-    throw example::usage_error{"--component: no message is named '" + text + "'" +
-                               jauscat::text::suggestion(name_of(text), names)};
+const catalogue::entry& find_message(const std::string& text) {
+    const auto found = catalogue::ra_3_3().find(text);
+    if (!found) throw example::usage_error{"--component: " + found.error().message};
+    return **found;
 }
 
 /// The messages that robot_arm accepts.
@@ -132,23 +106,22 @@ class component_objects {
         if (std::ranges::find(objects_, every_component, &bridging::object_description::component) == objects_.end())
             add(every_component, accepted_by_arm());
     }
-    static std::vector<bridging::sub_object> named(const std::string& list) {
+    [[nodiscard]] std::vector<bridging::sub_object> named(const std::string& list) const {
         std::vector<bridging::sub_object> messages;
         for (std::size_t at = 0;;) {
             const auto comma = list.find(',', at);
-            messages.push_back(find_message(list.substr(at, comma - at)));
+            messages.push_back(table_.of(find_message(list.substr(at, comma - at))));
             if (comma == list.npos) return messages;
             at = comma + 1;
         }
     }
-    static std::vector<bridging::sub_object> accepted_by_arm() {
+    [[nodiscard]] std::vector<bridging::sub_object> accepted_by_arm() const {
         std::vector<bridging::sub_object> messages;
         for (const auto code : codes_of(robot_messages{}))
-            messages.push_back(*std::ranges::find(standard_messages(), code, &bridging::sub_object::command_code));
+            messages.push_back(table_.of(*catalogue::ra_3_3().find(code)));
         return messages;
     }
     void add(std::uint8_t component, std::vector<bridging::sub_object> messages) {
-        for (auto& each : messages) each.max_size = table_.size_of(each);
         std::ranges::sort(messages, {}, &bridging::sub_object::subindex);
         const auto& name = names_.emplace_back("component " + std::to_string(component));
         const auto twice = std::ranges::adjacent_find(messages, {}, &bridging::sub_object::subindex);

@@ -5,8 +5,6 @@
 #include <array>
 #include <iostream>
 
-using namespace jauscat::wire::items; // the words of layouts
-
 // [declare]
 struct newtons {
     static constexpr double min = 0, max = 500;
@@ -18,7 +16,7 @@ struct joint {
     std::uint8_t temperature{};
 
     // clang-format off
-    struct schema {
+    struct schema : jauscat::wire::items {
         using T = joint;
         using type = layout<
             field<&T::position, i16le>,
@@ -32,7 +30,7 @@ struct report_gripper {
     std::optional<std::array<joint, 2>> wrist{}; ///< records
 
     // clang-format off
-    struct schema {
+    struct schema : jauscat::wire::items {
         using T = report_gripper;
         using type = layout<
             array<&T::force, scaled<u8, newtons>>,

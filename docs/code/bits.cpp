@@ -5,8 +5,6 @@
 #include <array>
 #include <iostream>
 
-using namespace jauscat::wire::items; // the words of layouts
-
 // [declare]
 enum class grip_mode : std::uint8_t { idle = 0, opening = 1, closing = 2, holding = 3 };
 
@@ -16,7 +14,7 @@ struct report_gripper {
     std::uint8_t temperature_class{}; ///< 0 to 7
 
     // clang-format off
-    struct schema {
+    struct schema : jauscat::wire::items {
         using T = report_gripper;
         using type = layout<
             bit_fields<u8,

@@ -18,8 +18,6 @@ using namespace std::chrono_literals;
 // [message]
 namespace gripper {
 
-using namespace jauscat::wire::items; // the words of layouts
-
 struct newtons {
     static constexpr double min = 0, max = 500;
 };
@@ -29,7 +27,7 @@ struct set_gripper {
     std::uint8_t finger{};
     double force{}; ///< newtons, 0 to 500
 
-    struct schema {
+    struct schema : jauscat::wire::items {
         static constexpr std::uint16_t command_code = 0xD101;
         using T = set_gripper;
         using type = layout<field<&T::finger, u8>, field<&T::force, scaled<u16le, newtons>>>;

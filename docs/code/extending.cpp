@@ -18,7 +18,6 @@ using namespace std::chrono_literals;
 using jauscat::time_point;
 using std::chrono::nanoseconds;
 
-using namespace jauscat::wire::items; // the words of layouts
 // [includes end]
 
 // [codec]
@@ -61,7 +60,7 @@ template <std::uint8_t Value> struct mark {
 struct time_of_day {
     std::uint8_t hour{}, minute{};
 
-    struct schema {
+    struct schema : jauscat::wire::items {
         using T = time_of_day;
         using type = layout<mark<0x7E>, field<&T::hour, two_digits>, field<&T::minute, two_digits>>;
     };

@@ -1,6 +1,7 @@
 // The first program of getting-started.md: a JAUS message made, shown and read.
 //     docs_first
 #include <jauscat/jaus/message/message.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/text/jaus.hpp>
 
 #include <array>

@@ -10,8 +10,6 @@
 #include <span>
 #include <string_view>
 
-using namespace jauscat::wire::items; // the words of layouts
-
 // clang-format off
 struct newton { static constexpr double min = 0, max = 500; static constexpr std::string_view unit = "N"; };
 
@@ -19,7 +17,7 @@ struct gripper {
     double force{};
     std::optional<std::uint8_t> finger{};
 
-    struct schema {
+    struct schema : jauscat::wire::items {
         using type = layout<field<&gripper::force, scaled<u16le, newton>>, presence<u8, field<&gripper::finger, u8>>>;
     };
 };

@@ -9,7 +9,6 @@
 #include <iostream>
 
 namespace translate = jauscat::translate;
-using namespace jauscat::wire::items; // the words of layouts
 // [includes end]
 
 // [message]
@@ -24,7 +23,7 @@ struct set_gripper {
     std::optional<std::uint8_t> finger{}; ///< 1 is the first
 
     // clang-format off
-    struct schema {
+    struct schema : jauscat::wire::items {
         static constexpr std::uint16_t command_code = 0xD101;
         using T = set_gripper;
         using type = layout<presence<u8,
@@ -42,7 +41,7 @@ struct gripper_outputs {
     std::uint8_t finger{};
 
     // clang-format off
-    struct schema {
+    struct schema : jauscat::wire::items {
         using T = gripper_outputs;
         using type = layout<
             field<&T::command_count, u16le>,

@@ -5,8 +5,6 @@
 #include <array>
 #include <iostream>
 
-using namespace jauscat::wire::items; // the words of layouts
-
 // [declare]
 struct newtons {
     static constexpr double min = 0, max = 500;
@@ -19,7 +17,7 @@ struct grasp {
     friend constexpr bool operator==(const grasp&, const grasp&) = default;
 
     // clang-format off
-    struct schema {
+    struct schema : jauscat::wire::items {
         using T = grasp;
         using type = layout<
             field<&T::object, u8>,
@@ -33,7 +31,7 @@ struct report_gripper {
     jauscat::wire::list<grasp> history{};          ///< held in memory of the caller
 
     // clang-format off
-    struct schema {
+    struct schema : jauscat::wire::items {
         using T = report_gripper;
         using type = layout<
             repeated<&T::force, count<"number_of_fingers", u8>, element<"force", scaled<u8, newtons>>>,

@@ -12,8 +12,6 @@
 // [declare]
 namespace gripper {
 
-using namespace jauscat::wire::items; // the words of layouts
-
 struct newtons {
     static constexpr double min = 0, max = 500;
     static constexpr std::string_view unit = "N";
@@ -24,7 +22,7 @@ struct set_gripper {
     std::uint8_t finger{};
     std::optional<double> force{}; ///< newtons, 0 to 500
 
-    struct schema {
+    struct schema : jauscat::wire::items {
         static constexpr std::uint16_t command_code = 0xD101;
         using T = set_gripper;
         using type = layout<field<&T::finger, u8>, presence<u8, field<&T::force, scaled<u16le, newtons>>>>;

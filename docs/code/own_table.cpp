@@ -10,7 +10,6 @@
 
 namespace jaus = jauscat::jaus;
 namespace translate = jauscat::translate;
-using namespace jauscat::wire::items; // the words of layouts
 // [includes end]
 
 // [packet]
@@ -24,7 +23,7 @@ struct radio_packet {
     std::uint16_t size{};   ///< bytes of data that follow
 
     // clang-format off
-    struct schema {
+    struct schema : jauscat::wire::items {
         using T = radio_packet;
         using type = layout<
             field<&T::station, u16be>,

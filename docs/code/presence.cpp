@@ -5,8 +5,6 @@
 #include <array>
 #include <iostream>
 
-using namespace jauscat::wire::items; // the words of layouts
-
 // [declare]
 struct millimetres {
     static constexpr double min = 0, max = 200;
@@ -24,7 +22,7 @@ struct set_gripper {
     std::optional<double> force{};   ///< newtons, 0 to 500
 
     // clang-format off
-    struct schema {
+    struct schema : jauscat::wire::items {
         using T = set_gripper;
         using type = layout<
             field<&T::finger, u8>,

@@ -11,7 +11,6 @@
 
 namespace jaus = jauscat::jaus;
 namespace translation = jauscat::translation;
-using namespace jauscat::wire::items; // the words of layouts
 // [includes end]
 
 /// Set Gripper, a message of one's own.
@@ -19,7 +18,7 @@ struct set_gripper {
     std::uint8_t finger{};
     std::uint8_t percent{};
 
-    struct schema {
+    struct schema : jauscat::wire::items {
         static constexpr std::uint16_t command_code = 0xD101;
         using T = set_gripper;
         using type = layout<field<&T::finger, u8>, field<&T::percent, u8>>;

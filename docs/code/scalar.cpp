@@ -6,7 +6,6 @@
 #include <array>
 #include <iostream>
 
-using namespace jauscat::wire::items; // the words of layouts
 // [includes end]
 
 // [declare]
@@ -15,7 +14,7 @@ struct report_gripper {
     std::uint8_t finger{};   ///< 1 is the first
     std::uint32_t strokes{}; ///< in its lifetime
 
-    struct schema {
+    struct schema : jauscat::wire::items {
         using T = report_gripper;
         using type = layout<field<&T::finger, u8>, field<&T::strokes, u32le>>;
     };

@@ -5,8 +5,6 @@
 #include <array>
 #include <iostream>
 
-using namespace jauscat::wire::items; // the words of layouts
-
 // [declare]
 struct millimetres {
     static constexpr double min = 0, max = 200;
@@ -17,7 +15,7 @@ struct report_gripper {
     std::uint8_t finger{};
     double opening{}; ///< millimetres, 0 to 200
 
-    struct schema {
+    struct schema : jauscat::wire::items {
         using T = report_gripper;
         using type = layout<field<&T::finger, u8>, field<&T::opening, scaled<u16le, millimetres>>>;
     };

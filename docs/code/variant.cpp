@@ -7,7 +7,6 @@
 #include <iostream>
 #include <variant>
 
-using namespace jauscat::wire::items; // the words of layouts
 // [includes end]
 
 // [declare]
@@ -18,7 +17,7 @@ struct object_goal {
     std::uint8_t grip{};
 
     // clang-format off
-    struct schema {
+    struct schema : jauscat::wire::items {
         using T = object_goal;
         using type = layout<
             field<&T::number, u8>,
@@ -32,7 +31,7 @@ struct set_goal {
     std::variant<std::uint16_t, object_goal, std::monostate> goal{};
 
     // clang-format off
-    struct schema {
+    struct schema : jauscat::wire::items {
         using T = set_goal;
         using type = layout<
             field<&T::type, enumeration<goal_type, u8>>,

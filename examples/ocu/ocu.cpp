@@ -5,6 +5,7 @@
 #include <jauscat/catalogue/ra_3_3.hpp>
 #include <jauscat/jaus/component/command_rules.hpp>
 #include <jauscat/jaus/message/requested_fields.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/text/from_text.hpp>
 #include <jauscat/text/jaus.hpp>
 

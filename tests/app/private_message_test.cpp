@@ -10,14 +10,12 @@
 namespace gripper {
 
 namespace jaus = jauscat::jaus;
-using namespace jauscat::wire::items; // the words of layouts
-
 /// Code D101h.
 struct set_gripper {
     std::uint8_t finger{};
     std::optional<double> force{}; ///< percent
 
-    struct schema {
+    struct schema : jauscat::wire::items {
         static constexpr std::uint16_t command_code = 0xD101;
         using T = set_gripper;
         using type = layout<field<&T::finger, u8>, presence<u8, field<&T::force, scaled<u8, jaus::percent>>>>;
@@ -28,7 +26,7 @@ struct set_gripper {
 struct query_gripper {
     std::uint8_t presence_vector{};
 
-    struct schema {
+    struct schema : jauscat::wire::items {
         static constexpr std::uint16_t command_code = 0xD102;
         using report = struct report_gripper;
         using T = query_gripper;
@@ -42,7 +40,7 @@ struct report_gripper {
     std::optional<double> opening{}; ///< percent
     friend constexpr bool operator==(const report_gripper&, const report_gripper&) = default;
 
-    struct schema {
+    struct schema : jauscat::wire::items {
         static constexpr std::uint16_t command_code = 0xD103;
         using query = query_gripper;
         using T = report_gripper;
@@ -55,7 +53,7 @@ struct report_gripper {
 struct calibrate_gripper {
     std::uint8_t finger{};
 
-    struct schema {
+    struct schema : jauscat::wire::items {
         static constexpr std::uint16_t command_code = 0xD104;
         using report = struct report_gripper;
         using T = calibrate_gripper;

@@ -103,13 +103,13 @@ messages() {
     expect 0 --component 33=report_payload_data_element # without a limit: all that a packet carries
     says "<Name>OCTET_STRING(1540)</Name>"
     expect 2 --component 33=set_wrench_efort
-    says "no message is named 'set_wrench_efort'; did you mean set_wrench_effort?"
+    says "there is no message 'set_wrench_efort'; did you mean set_wrench_effort?"
     expect 2 --component 33=0x9999
-    says "no message has the command code 0x9999"
+    says "there is no message with the code 0x9999"
     expect 2 --component 33=0x04zz
-    says "'0x04zz' is no command code such as 0x0405"
+    says "there is no message '0x04zz'"
     expect 2 --component 33=
-    says "no message is named ''"
+    says "there is no message ''"
     expect 2 --component 33=set_wrench_effort,0x0405
     says "--component 33: set_wrench_effort is there twice"
     expect 2 --component 33 --component 33=reset

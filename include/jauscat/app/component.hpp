@@ -100,10 +100,7 @@ class component {
     /// Sends a message once, without acknowledgement, to a component or to all of a level (255). Of any size.
     template <jaus::coded_message T> result<void, net::error> send(const jaus::address& to, const T& message) {
         std::vector<std::byte> body;
-        if (const auto why = app::encode_into(body, message); why != wire::errc::ok)
-            return net::error{.code = net::errc::not_encodable,
-                              .reason = net::reason_of(why),
-                              .message = std::string{wire::describe(why)}};
+        if (const auto why = app::encode_into(body, message); why != wire::errc::ok) return net::not_encodable(why);
         return send(to, jaus::command_code_of<T>, body);
     }
     /// The same for a body in bytes.
@@ -113,10 +110,7 @@ class component {
     template <std::same_as<catalogue::any_message> Message>
     result<void, net::error> send(const jaus::address& to, const Message& message) {
         const auto body = message.encode();
-        if (!body)
-            return net::error{.code = net::errc::not_encodable,
-                              .reason = net::reason_of(body.error()),
-                              .message = std::string{wire::describe(body.error())}};
+        if (!body) return net::not_encodable(body.error());
         return send(to, message.command_code(), *body);
     }
 

@@ -69,16 +69,6 @@ template <class Table, class Row> constexpr std::uint32_t number_of(auto value) 
 // another class is both.
 constexpr bool is_readable(std::uint16_t command_code) noexcept { return command_code >= 0x4000; }
 
-template <class Table, class T> constexpr sub_object sub_object_of() noexcept {
-    return {.subindex =
-                static_cast<std::uint8_t>(number_of<Table, typename Table::subindex_row>(jaus::command_code_of<T>)),
-            .command_code = jaus::command_code_of<T>,
-            .name = wire::type_name<T>(),
-            .max_size = static_cast<std::uint16_t>(translate::largest_data<T, Table::overhead, Table::max_data>),
-            .readable = is_readable(jaus::command_code_of<T>),
-            .writable = true};
-}
-
 // "component 33"
 template <std::uint8_t Component>
 inline constexpr auto component_name = [] {
@@ -97,6 +87,26 @@ template <std::size_t Size> constexpr bool distinct_subindices(const std::array<
 
 } // namespace detail
 
+/// The subobject of a message under `Table`: subindex 0 if the table has no rank for it. `max_body`: most bytes of the
+/// message's body; wire::unbounded if it has no limit, or takes what follows it.
+template <class Table>
+[[nodiscard]] constexpr sub_object sub_object_of(std::uint16_t command_code, std::string_view name,
+                                                 std::size_t max_body) noexcept {
+    return {.subindex = static_cast<std::uint8_t>(detail::number_of<Table, typename Table::subindex_row>(command_code)),
+            .command_code = command_code,
+            .name = name,
+            .max_size =
+                static_cast<std::uint16_t>(std::min(wire::total_size(Table::overhead, max_body), Table::max_data)),
+            .readable = detail::is_readable(command_code),
+            .writable = true};
+}
+/// The same for a message type.
+template <class Table, wire::message T> [[nodiscard]] constexpr sub_object sub_object_of() noexcept {
+    constexpr bool has_limit = !wire::layout_of<T>::to_the_end;
+    return sub_object_of<Table>(jaus::command_code_of<T>, wire::type_name<T>(),
+                                has_limit ? wire::max_size<T> : wire::unbounded);
+}
+
 /// The object of the component `Component` that accepts `Messages`, each with a schema and a command code, under
 /// `Table`. `Messages` may also be one list of types, such as jaus::message_list<...>.
 template <class Table, std::uint8_t Component, class... Messages> struct object_list {
@@ -110,7 +120,7 @@ template <class Table, std::uint8_t Component, class... Messages> struct object_
     static constexpr bool exact_size = translate::has_fixed_length<Table>;
     /// By ascending subindex.
     static constexpr std::array<sub_object, sizeof...(Messages)> entries = [] {
-        std::array<sub_object, sizeof...(Messages)> made{detail::sub_object_of<Table, Messages>()...};
+        std::array<sub_object, sizeof...(Messages)> made{sub_object_of<Table, Messages>()...};
         std::ranges::sort(made, {}, &sub_object::subindex);
         return made;
     }();

@@ -50,7 +50,7 @@ class any_message {
   private:
     friend class entry;
     static bool is_arena_full(const text::error& why) { return why.code == text::errc::arena_full; }
-    static bool is_arena_full(const wire::diagnosis& why) { return why.error == wire::errc::arena_full; }
+    static bool is_arena_full(wire::errc why) { return why == wire::errc::arena_full; }
 
     static void nothing(void*) {}
     std::vector<std::byte> bytes_{}, lists_{}; ///< what the object's bytes and lists are in

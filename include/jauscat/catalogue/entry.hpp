@@ -26,6 +26,7 @@ struct entry_data {
     std::size_t min_size{}, max_size{};
     std::uint32_t presence_bits{};
     bool has_lists{}; ///< decoding takes an arena
+    bool takes_rest{};
     const text::structure& (*fields)(){};
     void* (*make)(){};
     void (*destroy)(void* object){};
@@ -53,6 +54,8 @@ class entry {
     /// Fewest and most bytes of its body.
     [[nodiscard]] std::size_t min_size() const noexcept { return data_->min_size; }
     [[nodiscard]] std::size_t max_size() const noexcept { return data_->max_size; }
+    /// Its last field takes all bytes to the end of the body: a peer may send more than `max_size`.
+    [[nodiscard]] bool takes_rest() const noexcept { return data_->takes_rest; }
     /// Bits of its presence vector that stand for a field; 0: it has no presence vector.
     [[nodiscard]] std::uint32_t presence_bits() const noexcept { return data_->presence_bits; }
     /// Its fields with names, units, limits, enumerators and lists.

@@ -36,6 +36,7 @@ inline constexpr entry_data data_of{
     .max_size = wire::max_size<T>,
     .presence_bits = jaus::presence_bits_of<T>,
     .has_lists = wire::needs_memory<T>,
+    .takes_rest = wire::layout_of<T>::to_the_end,
     .fields = &text::describe<T>,
     .make = []() -> void* { return new T{}; },
     .destroy = [](void* object) { delete static_cast<T*>(object); },

@@ -89,6 +89,13 @@ struct error {
     friend bool operator==(const error&, const error&) = default;
 };
 
+/// A message does not encode; `why` is a wire::errc.
+template <class Enumeration>
+requires std::is_enum_v<Enumeration>
+[[nodiscard]] error not_encodable(Enumeration why) {
+    return {.code = errc::not_encodable, .reason = reason_of(why), .message = std::string{describe(why)}};
+}
+
 /// The line for the operator.
 [[nodiscard]] inline std::string_view describe(const error& why) noexcept { return why.message; }
 

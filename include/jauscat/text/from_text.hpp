@@ -61,6 +61,15 @@ inline namespace JAUSCAT_WAY {
 /// The command code of a message that is named as in its schema, as in the standard, or by its code in hex: 0405,
 /// 0405h, 0x0405. Error: unknown_message.
 [[nodiscard]] JAUSCAT_DECL result<std::uint16_t, error> find_message(std::string_view name);
+
+/// A message that may be named; `name` in snake_case.
+struct named_message {
+    std::uint16_t command_code{};
+    std::string name{};
+};
+/// The same among some messages.
+[[nodiscard]] JAUSCAT_DECL result<std::uint16_t, error> find_message(std::string_view name,
+                                                                     std::span<const named_message> among);
 } // namespace JAUSCAT_WAY
 
 /// Calls use.template operator()<Message>() for the message type of a code; false where the list has none.

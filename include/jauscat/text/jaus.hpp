@@ -1,8 +1,9 @@
 // JAUS names and whole messages as text.
 #pragma once
 #include <jauscat/jaus/message/message.hpp>
-#include <jauscat/schema/jaus/messages.hpp>
+#include <jauscat/schema/jaus/message_list.hpp>
 #include <jauscat/text/annotate.hpp>
+#include <jauscat/text/hex.hpp>
 #include <jauscat/text/message_name.hpp>
 
 namespace jauscat::text {
@@ -32,19 +33,27 @@ template <jaus::coded_message... Messages>
     return why.error == wire::errc::ok ? std::string{} : to_text(why);
 }
 
-/// A line for each field of the header and of the body, if one of `Messages` has its command code; a hex dump else.
-template <jaus::coded_message... Messages>
-[[nodiscard]] std::string annotate_message(std::span<const std::byte> bytes, jaus::message_list<Messages...>) {
+/// A line for each field of the header, and the lines of `annotate_body(command_code, body)`; where these are none, the
+/// body in hex.
+[[nodiscard]] std::string annotate_message(std::span<const std::byte> bytes, auto&& annotate_body) {
     jaus::header head{};
     std::string text = annotate<jaus::header>(bytes);
     if (!wire::decode_prefix(head, bytes)) return text;
     const auto body = bytes.subspan(jaus::header_size);
-    const bool known =
-        (... || (jaus::command_code_of<Messages> == head.command_code &&
-                 (text += body.empty() && jaus::is_acknowledgement(head) ? std::string{}
-                                                                         : annotate<Messages>(body, jaus::header_size),
-                  true)));
-    return known ? text : text + hex_dump(body, "  ", jaus::header_size);
+    if (body.empty() && jaus::is_acknowledgement(head)) return text;
+    const std::string lines = annotate_body(head.command_code, body);
+    return text + (lines.empty() ? hex_dump(body, "  ", jaus::header_size) : lines);
+}
+
+/// A line for each field of the header and of the body, if one of `Messages` has its command code; a hex dump else.
+template <jaus::coded_message... Messages>
+[[nodiscard]] std::string annotate_message(std::span<const std::byte> bytes, jaus::message_list<Messages...>) {
+    return annotate_message(bytes, [](std::uint16_t command_code, std::span<const std::byte> body) {
+        std::string lines;
+        static_cast<void>((... || (jaus::command_code_of<Messages> == command_code &&
+                                   (lines = annotate<Messages>(body, jaus::header_size), true))));
+        return lines;
+    });
 }
 
 } // namespace jauscat::text

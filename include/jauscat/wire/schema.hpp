@@ -16,16 +16,69 @@
 #include <jauscat/wire/tree.hpp>
 #include <jauscat/wire/view.hpp> // a count inside a nested structure is read through a view
 
-/// The words of schemas: `using namespace wire::items` lets the messages of a namespace say `field<&T::speed, u16le>`.
-namespace jauscat::wire::items {
+namespace jauscat::wire {
 
-using wire::array, wire::bit_field, wire::bit_fields, wire::bit_set, wire::bit_set_codec, wire::by, wire::bytes,
-    wire::count, wire::counted_by, wire::element, wire::enumeration, wire::field, wire::fixed, wire::fixed_or_rest,
-    wire::gated_by, wire::in_units, wire::layout, wire::nested, wire::not_on_wire, wire::octets, wire::one_less_than,
-    wire::open_presence, wire::presence, wire::presence_flag, wire::record, wire::repeated, wire::reserved, wire::rest,
-    wire::scaled, wire::selected, wire::string, wire::tree, wire::when, wire::zero_terminated;
-using wire::f32be, wire::f32le, wire::f64be, wire::f64le, wire::i16be, wire::i16le, wire::i32be, wire::i32le,
-    wire::i64be, wire::i64le, wire::i8, wire::u16be, wire::u16le, wire::u32be, wire::u32le, wire::u64be, wire::u64le,
-    wire::u8;
+/// The words of layouts, for the schema of a message: in `struct schema : wire::items`, a layout says
+/// `field<&T::speed, u16le>`, and the namespace of the message stays free of them.
+struct items {
+    template <class... Items> using layout = wire::layout<Items...>;
+    template <auto Member, class Codec> using field = wire::field<Member, Codec>;
+    template <auto Member> using nested = wire::nested<Member>;
+    template <auto Member, class Element = wire::record> using array = wire::array<Member, Element>;
+    template <auto Member> using not_on_wire = wire::not_on_wire<Member>;
 
-} // namespace jauscat::wire::items
+    template <class Carrier, class... Items> using presence = wire::presence<Carrier, Items...>;
+    template <class Carrier, class... Items> using open_presence = wire::open_presence<Carrier, Items...>;
+    template <auto Member> using presence_flag = wire::presence_flag<Member>;
+    template <auto Flag, class Item> using gated_by = wire::gated_by<Flag, Item>;
+
+    template <class Carrier, class... Fields> using bit_fields = wire::bit_fields<Carrier, Fields...>;
+    template <auto Member, std::size_t Width> using bit_field = wire::bit_field<Member, Width>;
+    template <std::size_t Width> using reserved = wire::reserved<Width>;
+    template <class Bit, class Carrier> using bit_set_codec = wire::bit_set_codec<Bit, Carrier>;
+
+    template <auto Member, class Extent> using string = wire::string<Member, Extent>;
+    template <auto Member, class Extent> using bytes = wire::bytes<Member, Extent>;
+    template <std::size_t Size> using fixed = wire::fixed<Size>;
+    template <std::size_t Size> using fixed_or_rest = wire::fixed_or_rest<Size>;
+    using rest = wire::rest;
+    using zero_terminated = wire::zero_terminated;
+
+    template <auto Member, class Count, class Element = wire::record>
+    using repeated = wire::repeated<Member, Count, Element>;
+    template <wire::label Name, class Codec> using element = wire::element<Name, Codec>;
+    using record = wire::record;
+    template <wire::label Name, class Codec> using count = wire::count<Name, Codec>;
+    template <auto... Path> using counted_by = wire::counted_by<Path...>;
+    template <auto... Path> using one_less_than = wire::one_less_than<Path...>;
+    template <auto Member, auto Children, std::size_t MaxDepth> using tree = wire::tree<Member, Children, MaxDepth>;
+
+    template <auto Member, class Selector, class... Cases> using selected = wire::selected<Member, Selector, Cases...>;
+    template <auto Tag, class Form = std::monostate> using when = wire::when<Tag, Form>;
+    template <auto... Path> using by = wire::by<Path...>;
+
+    template <class Raw, wire::real_range Range> using scaled = wire::scaled<Raw, Range>;
+    template <class Enum, class Carrier> using enumeration = wire::enumeration<Enum, Carrier>;
+    template <class Codec, class Unit> using in_units = wire::in_units<Codec, Unit>;
+    template <std::size_t Size> using octets = wire::octets<Size>;
+    using u8 = wire::u8;
+    using i8 = wire::i8;
+    using u16le = wire::u16le;
+    using u32le = wire::u32le;
+    using u64le = wire::u64le;
+    using i16le = wire::i16le;
+    using i32le = wire::i32le;
+    using i64le = wire::i64le;
+    using f32le = wire::f32le;
+    using f64le = wire::f64le;
+    using u16be = wire::u16be;
+    using u32be = wire::u32be;
+    using u64be = wire::u64be;
+    using i16be = wire::i16be;
+    using i32be = wire::i32be;
+    using i64be = wire::i64be;
+    using f32be = wire::f32be;
+    using f64be = wire::f64be;
+};
+
+} // namespace jauscat::wire

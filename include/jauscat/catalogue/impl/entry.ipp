@@ -12,16 +12,15 @@ JAUSCAT_FUNCTION result<any_message, wire::diagnosis> entry::decode(std::span<co
     std::vector<std::byte> bytes{body.begin(), body.end()};
     // Elements are larger than their bytes: doubles for scaled integers, and what is optional.
     const std::size_t memory = data_->has_lists ? 256 + 16 * body.size() : 0;
-    auto made =
-        any_message::made_by(*this, memory, [&](void* object, wire::arena& arena) -> result<void, wire::diagnosis> {
-            const auto decoded = data_->decode(object, bytes, arena);
-            if (decoded) return {};
-            wire::diagnosis why = data_->diagnose(bytes);
-            why.error = decoded.error(); // a diagnosis knows no lack of memory
-            return why;
-        });
-    if (made) made->bytes_ = std::move(bytes); // the same memory
-    return made;
+    auto made = any_message::made_by(
+        *this, memory, [&](void* object, wire::arena& arena) { return data_->decode(object, bytes, arena); });
+    if (made) {
+        made->bytes_ = std::move(bytes); // the same memory
+        return std::move(*made);
+    }
+    wire::diagnosis why = data_->diagnose(bytes);
+    why.error = made.error(); // a diagnosis knows no lack of memory
+    return why;
 }
 
 JAUSCAT_FUNCTION result<any_message, text::error> entry::from_words(std::span<const std::string> words) const {

@@ -98,10 +98,7 @@ class node_machine {
         if (wire::encoded_size(body) > packet.size()) larger.resize(wire::encoded_size(body));
         const std::span<std::byte> encoded = larger.empty() ? std::span<std::byte>{packet} : larger;
         const auto written = wire::encode(body, encoded);
-        if (!written)
-            return error{.code = errc::not_encodable,
-                         .reason = reason_of(written.error()),
-                         .message = std::string{wire::describe(written.error())}};
+        if (!written) return not_encodable(written.error());
         head.command_code = jaus::command_code_of<T>;
         return send(head, *written, now);
     }

@@ -40,7 +40,7 @@ JAUSCAT_DECL std::string snake_case(std::string_view standard_name) {
     return made;
 }
 
-JAUSCAT_DECL result<std::uint16_t, error> find_message(std::string_view name) {
+JAUSCAT_DECL result<std::uint16_t, error> find_message(std::string_view name, std::span<const named_message> among) {
     const auto unknown = [&](const std::string& message) {
         return error{.code = errc::unknown_message, .value = std::string{name}, .message = message};
     };
@@ -50,18 +50,22 @@ JAUSCAT_DECL result<std::uint16_t, error> find_message(std::string_view name) {
     std::uint16_t code{};
     const auto [stop, failed] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
     if (failed == std::errc{} && stop == digits.data() + digits.size()) {
-        if (std::ranges::find(jaus::catalog, code, &jaus::catalog_entry::command_code) != jaus::catalog.end())
-            return code;
+        if (std::ranges::find(among, code, &named_message::command_code) != among.end()) return code;
         return unknown("there is no message with the code " + hex_number(code, 4));
     }
     const std::string wanted = snake_case(name);
-    std::vector<std::string> names;
-    for (const jaus::catalog_entry& entry : jaus::catalog) {
-        names.push_back(snake_case(entry.name));
-        if (names.back() == wanted) return entry.command_code;
+    std::vector<std::string_view> names;
+    for (const named_message& message : among) {
+        if (message.name == wanted) return message.command_code;
+        names.push_back(message.name);
     }
-    const std::vector<std::string_view> views{names.begin(), names.end()};
-    return unknown("there is no message '" + std::string{name} + "'" + suggestion(wanted, views));
+    return unknown("there is no message '" + std::string{name} + "'" + suggestion(wanted, names));
+}
+
+JAUSCAT_DECL result<std::uint16_t, error> find_message(std::string_view name) {
+    std::vector<named_message> all;
+    for (const jaus::catalog_entry& entry : jaus::catalog) all.push_back({entry.command_code, snake_case(entry.name)});
+    return find_message(name, all);
 }
 
 } // namespace JAUSCAT_WAY

@@ -10,8 +10,6 @@
 // clang-format off
 namespace jauscat::ethercat {
 
-using namespace wire::items;
-
 /// State of the application layer, in AL control and AL status.
 enum class al_state : std::uint8_t { init = 1, pre_op = 2, boot = 3, safe_op = 4, op = 8 };
 
@@ -94,7 +92,7 @@ struct al_control {
     bool acknowledge{};       ///< clears an error indication
     bool request_device_id{}; ///< requests the slave's identification in the AL status code
 
-    struct schema {
+    struct schema : wire::items {
         using T = al_control;
         using type = layout<bit_fields<u16le, bit_field<&T::state, 4>, bit_field<&T::acknowledge, 1>,
                                        bit_field<&T::request_device_id, 1>, reserved<10>>>;
@@ -109,7 +107,7 @@ struct al_status {
     std::uint16_t gap{};     ///< reserved
     al_status_code code{};
 
-    struct schema {
+    struct schema : wire::items {
         using T = al_status;
         using type = layout<bit_fields<u16le, bit_field<&T::state, 4>, bit_field<&T::error, 1>,
                                        bit_field<&T::device_id_loaded, 1>, reserved<10>>,

@@ -15,8 +15,6 @@
 // clang-format off
 namespace jauscat::cia402 {
 
-using namespace wire::items;
-
 /// Modes of operation (6060h, 6061h). Negative values are the manufacturer's.
 enum class mode : std::int8_t {
     none = 0,
@@ -60,7 +58,7 @@ struct controlword {
     std::uint8_t manufacturer{}; ///< 5 bits
     friend constexpr bool operator==(const controlword&, const controlword&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = controlword;
         using type = layout<bit_fields<u16le,
             bit_field<&T::switch_on, 1>,
@@ -97,7 +95,7 @@ struct statusword {
     std::uint8_t manufacturer{}; ///< bits 14 and 15
     friend constexpr bool operator==(const statusword&, const statusword&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = statusword;
         using type = layout<bit_fields<u16le,
             bit_field<&T::ready_to_switch_on, 1>,

@@ -11,8 +11,6 @@
 // clang-format off
 namespace jauscat::ethercat {
 
-using namespace wire::items;
-
 /// What a CoE message is.
 enum class coe_service : std::uint8_t {
     emergency = 1,
@@ -30,7 +28,7 @@ struct coe_header {
     std::uint16_t number{}; ///< 0 but for PDO services
     coe_service service{};  ///< what follows
 
-    struct schema {
+    struct schema : wire::items {
         using T = coe_header;
         using type = layout<
             bit_fields<u16le,
@@ -63,7 +61,7 @@ struct sdo_header {
     std::uint16_t index{};     ///< of the object
     std::uint8_t subindex{};   ///< of the entry
 
-    struct schema {
+    struct schema : wire::items {
         using T = sdo_header;
         using type = layout<
             bit_fields<u8,
@@ -82,7 +80,7 @@ struct sdo_expedited {
     sdo_header header{};             ///< with `expedited`
     std::array<std::byte, 4> data{}; ///< up to 4 bytes, from the first on
 
-    struct schema {
+    struct schema : wire::items {
         using T = sdo_expedited;
         using type = layout<
             nested<&T::header>,
@@ -96,7 +94,7 @@ struct sdo_normal {
     sdo_header header{};  ///< without `expedited`
     std::uint32_t size{}; ///< bytes of the whole transfer; if more than fit, segments follow
 
-    struct schema {
+    struct schema : wire::items {
         using T = sdo_normal;
         using type = layout<
             nested<&T::header>,
@@ -111,7 +109,7 @@ struct sdo_segment_header {
     bool toggle{};             ///< false in the first segment, then alternating
     sdo_specifier specifier{}; ///< what it asks for or answers
 
-    struct schema {
+    struct schema : wire::items {
         using T = sdo_segment_header;
         using type = layout<
             bit_fields<u8,
@@ -168,7 +166,7 @@ struct sdo_abort {
     sdo_header header{}; ///< names the object
     abort_code code{};
 
-    struct schema {
+    struct schema : wire::items {
         using T = sdo_abort;
         using type = layout<
             nested<&T::header>,
@@ -182,7 +180,7 @@ struct coe_emergency {
     std::uint8_t error_register{};   ///< object 1001h
     std::array<std::byte, 5> data{}; ///< the vendor's own
 
-    struct schema {
+    struct schema : wire::items {
         using T = coe_emergency;
         using type = layout<
             field<&T::error_code, u16le>,

@@ -9,8 +9,6 @@
 // clang-format off
 namespace jauscat::ethercat {
 
-using namespace wire::items;
-
 /// What a slave does with a datagram, and what it then adds to the working counter.
 enum class command : std::uint8_t {
     nop = 0,   ///< no operation; +0
@@ -41,7 +39,7 @@ struct datagram_header {
     bool more{};            ///< another datagram follows in this frame
     std::uint16_t irq{};    ///< event request bits that the slaves or in
 
-    struct schema {
+    struct schema : wire::items {
         using T = datagram_header;
         using type = layout<
             field<&T::cmd, enumeration<command, u8>>,
@@ -61,7 +59,7 @@ struct datagram_header {
 struct datagram_trailer {
     std::uint16_t working_counter{}; ///< number of slaves that executed the command, see `command`
 
-    struct schema {
+    struct schema : wire::items {
         using T = datagram_trailer;
         using type = layout<field<&T::working_counter, u16le>>;
     };

@@ -13,8 +13,6 @@
 // clang-format off
 namespace jauscat::ethercat {
 
-using namespace wire::items;
-
 /// Size of the times of a slave's clock.
 enum class clock_width : std::uint8_t { no_clock, bits_32, bits_64 };
 
@@ -83,34 +81,34 @@ inline constexpr esc_register_of<dc_nanoseconds> dc_pdi_buffer_change{{0x09FC, 4
 struct dc_receive_times {
     std::array<std::uint32_t, 4> ports{}; ///< by port number
 
-    struct schema { using type = layout<array<&dc_receive_times::ports, u32le>>; };
+    struct schema : wire::items { using type = layout<array<&dc_receive_times::ports, u32le>>; };
 };
 
 /// A time in ns, as the local clock counts it, or since 2000-01-01 00:00 for a system time.
 struct dc_time {
     std::uint64_t value{};
 
-    struct schema { using type = layout<field<&dc_time::value, u64le>>; };
+    struct schema : wire::items { using type = layout<field<&dc_time::value, u64le>>; };
 };
 /// The low half of a dc_time.
 struct dc_time_32 {
     std::uint32_t value{};
 
-    struct schema { using type = layout<field<&dc_time_32::value, u32le>>; };
+    struct schema : wire::items { using type = layout<field<&dc_time_32::value, u32le>>; };
 };
 
 /// From the local time to the system time, in ns.
 struct dc_offset {
     std::int64_t value{};
 
-    struct schema { using type = layout<field<&dc_offset::value, i64le>>; };
+    struct schema : wire::items { using type = layout<field<&dc_offset::value, i64le>>; };
 };
 
 /// A span of time, in ns.
 struct dc_nanoseconds {
     std::uint32_t value{};
 
-    struct schema { using type = layout<field<&dc_nanoseconds::value, u32le>>; };
+    struct schema : wire::items { using type = layout<field<&dc_nanoseconds::value, u32le>>; };
 };
 
 /// Difference between the slave's time and the one it received, in ns: not in two's complement.
@@ -129,7 +127,7 @@ struct dc_difference {
         return {ns == INT32_MIN ? 0x7FFFFFFFu : static_cast<std::uint32_t>(-ns), true};
     }
 
-    struct schema {
+    struct schema : wire::items {
         using T = dc_difference;
         using type = layout<
             bit_fields<u32le,
@@ -143,7 +141,7 @@ struct dc_difference {
 struct dc_speed_difference {
     std::int16_t value{};
 
-    struct schema { using type = layout<field<&dc_speed_difference::value, i16le>>; };
+    struct schema : wire::items { using type = layout<field<&dc_speed_difference::value, i16le>>; };
 };
 
 /// Depths of the filters of the control.
@@ -151,7 +149,7 @@ struct dc_filters {
     std::uint8_t difference{}; ///< of dc_difference
     std::uint8_t speed{};      ///< of dc_speed_difference
 
-    struct schema {
+    struct schema : wire::items {
         using T = dc_filters;
         using type = layout<
             field<&T::difference, u8>,
@@ -162,7 +160,7 @@ struct dc_filters {
 struct dc_receive_latch_mode {
     bool reverse{}; ///< frames enter at another port than 0
 
-    struct schema {
+    struct schema : wire::items {
         using T = dc_receive_latch_mode;
         using type = layout<
             bit_fields<u8,
@@ -177,7 +175,7 @@ struct dc_cyclic_control {
     bool latch0_by_pdi{};
     bool latch1_by_pdi{};
 
-    struct schema {
+    struct schema : wire::items {
         using T = dc_cyclic_control;
         using type = layout<
             bit_fields<u8,
@@ -200,7 +198,7 @@ struct dc_activation {
     bool near_future_short{}; ///< the near future is 2.1 s, else half the range of the time
     bool test_pulse{};        ///< one pulse on the signals that are on
 
-    struct schema {
+    struct schema : wire::items {
         using T = dc_activation;
         using type = layout<
             bit_fields<u8,
@@ -220,7 +218,7 @@ struct dc_activation_status {
     bool sync1_pending{};  ///< the first SYNC1 has not come yet
     bool start_not_near{}; ///< the start time was not in the near future when the unit was switched on
 
-    struct schema {
+    struct schema : wire::items {
         using T = dc_activation_status;
         using type = layout<
             bit_fields<u8,
@@ -235,7 +233,7 @@ struct dc_activation_status {
 struct dc_sync_status {
     bool active{};
 
-    struct schema {
+    struct schema : wire::items {
         using T = dc_sync_status;
         using type = layout<
             bit_fields<u8,
@@ -249,7 +247,7 @@ struct dc_latch_control {
     bool first_rise{};
     bool first_fall{};
 
-    struct schema {
+    struct schema : wire::items {
         using T = dc_latch_control;
         using type = layout<
             bit_fields<u8,
@@ -265,7 +263,7 @@ struct dc_latch_status {
     bool fall{};
     bool pin{}; ///< its level
 
-    struct schema {
+    struct schema : wire::items {
         using T = dc_latch_status;
         using type = layout<
             bit_fields<u8,

@@ -13,8 +13,6 @@
 // clang-format off
 namespace jauscat::ethercat {
 
-using namespace wire::items;
-
 /// Address of a register in a slave's memory, and its size in bytes.
 struct esc_register {
     std::uint16_t address{}; ///< in the slave's memory
@@ -94,7 +92,7 @@ inline constexpr esc_register process_ram{0x1000, 0}; ///< mailboxes and process
 struct esc_word {
     std::uint16_t value{}; ///< the number
 
-    struct schema { using type = layout<field<&esc_word::value, u16le>>; };
+    struct schema : wire::items { using type = layout<field<&esc_word::value, u16le>>; };
 };
 
 /// What a slave controller can do (0x0000 to 0x0009), 10 bytes.
@@ -118,7 +116,7 @@ struct esc_description {
     bool no_read_write{};         ///< BRW, APRW and FPRW are not supported
     bool fixed{};                 ///< FMMUs and SyncManagers cannot be changed
 
-    struct schema {
+    struct schema : wire::items {
         using T = esc_description;
         using type = layout<
             field<&T::type, u8>,
@@ -175,7 +173,7 @@ struct dl_status {
                  {link_3, closed_3, communication_3}}};
     }
 
-    struct schema {
+    struct schema : wire::items {
         using T = dl_status;
         using type = layout<
             bit_fields<u16le,
@@ -225,7 +223,7 @@ struct sync_manager {
     bool pdi_disable{};                 ///< the slave has switched this SyncManager off
     bool repeat_acknowledge{};          ///< equals `repeat_request` once the slave has done so
 
-    struct schema {
+    struct schema : wire::items {
         using T = sync_manager;
         using type = layout<
             field<&T::start, u16le>,
@@ -262,7 +260,7 @@ struct mailbox_managers {
     sync_manager out{}; ///< master to slave
     sync_manager in{};  ///< slave to master
 
-    struct schema {
+    struct schema : wire::items {
         using T = mailbox_managers;
         using type = layout<
             nested<&T::out>,
@@ -277,7 +275,7 @@ struct sync_manager_handshake {
     bool repeat_request{};     ///< toggled by the master: give the last mailbox message again
     bool repeat_acknowledge{}; ///< equals `repeat_request` once the slave has done so
 
-    struct schema {
+    struct schema : wire::items {
         using T = sync_manager_handshake;
         using type = layout<
             bit_fields<u8,
@@ -300,7 +298,7 @@ struct sync_manager_activate {
     bool enable{};         ///< the SyncManager is on
     bool repeat_request{}; ///< toggled by the master: give the last mailbox message again
 
-    struct schema {
+    struct schema : wire::items {
         using T = sync_manager_activate;
         using type = layout<
             bit_fields<u8,
@@ -322,7 +320,7 @@ struct fmmu {
     bool write{};                   ///< a master may write
     bool enable{};                  ///< without it nothing is mapped
 
-    struct schema {
+    struct schema : wire::items {
         using T = fmmu;
         using type = layout<
             field<&T::logical_start, u32le>,
@@ -352,7 +350,7 @@ struct sii_owner {
     bool pdi{};   ///< true gives the memory to the slave's application
     bool force{}; ///< revokes it regardless of the application
 
-    struct schema {
+    struct schema : wire::items {
         using T = sii_owner;
         using type = layout<
             bit_fields<u8,
@@ -378,7 +376,7 @@ struct sii_request {
     bool busy{};               ///< read only
     std::uint32_t address{};   ///< in words
 
-    struct schema {
+    struct schema : wire::items {
         using T = sii_request;
         using type = layout<
             bit_fields<u16le,
@@ -401,7 +399,7 @@ struct sii_access {
     sii_request request{};           ///< command, status and address
     std::array<std::byte, 8> data{}; ///< 4 or 8 bytes that were read, or 2 to be written
 
-    struct schema {
+    struct schema : wire::items {
         using T = sii_access;
         using type = layout<
             nested<&T::request>,

@@ -11,8 +11,6 @@
 // clang-format off
 namespace jauscat::ethercat {
 
-using namespace wire::items;
-
 inline constexpr std::uint16_t ether_type_ethercat = 0x88A4; ///< EtherType of EtherCAT frames
 inline constexpr std::uint16_t ether_type_vlan = 0x8100;     ///< EtherType of a VLAN tag (IEEE 802.1Q)
 inline constexpr std::size_t min_frame_size = 60;            ///< bytes, without the frame check sequence
@@ -27,7 +25,7 @@ struct ethernet_header {
     std::array<std::byte, 6> source{};      ///< the master's interface
     std::uint16_t ether_type{};             ///< 88A4h: EtherCAT; 8100h: a vlan_tag follows
 
-    struct schema {
+    struct schema : wire::items {
         using T = ethernet_header;
         using type = layout<
             field<&T::destination, octets<6>>,
@@ -41,7 +39,7 @@ struct vlan_tag {
     std::uint16_t control{};    ///< priority and number of the VLAN
     std::uint16_t ether_type{}; ///< of what follows
 
-    struct schema {
+    struct schema : wire::items {
         using T = vlan_tag;
         using type = layout<
             field<&T::control, u16be>,
@@ -57,7 +55,7 @@ struct frame_header {
     std::uint16_t length{}; ///< bytes of all datagrams, without this header and without padding; 0 to 2047
     frame_type type{};      ///< what it carries
 
-    struct schema {
+    struct schema : wire::items {
         using T = frame_header;
         using type = layout<
             bit_fields<u16le,

@@ -8,8 +8,6 @@
 // clang-format off
 namespace jauscat::hilscher {
 
-using namespace wire::items;
-
 /// ulCmd: the service of a packet. An answer is its request plus 1.
 enum class packet_command : std::uint32_t {
     get_slave_handles_req = 0x2F08,
@@ -121,7 +119,7 @@ struct packet_header {
     std::uint32_t ul_rout{};    ///< 0; firmware internal
     friend constexpr bool operator==(const packet_header&, const packet_header&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = packet_header;
         using type = layout<
             field<&T::ul_dest, u32le>,
@@ -147,7 +145,7 @@ struct sdo_download_request {
     std::uint32_t ul_data_cnt{};  ///< n, bytes of abSdoData
     friend constexpr bool operator==(const sdo_download_request&, const sdo_download_request&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = sdo_download_request;
         using type = layout<
             nested<&T::head>,
@@ -163,7 +161,7 @@ struct sdo_download_confirmation {
     packet_header head{.ul_cmd = packet_command::sdo_download_cnf};
     friend constexpr bool operator==(const sdo_download_confirmation&, const sdo_download_confirmation&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = sdo_download_confirmation;
         using type = layout<nested<&T::head>>;
     };
@@ -177,7 +175,7 @@ struct sdo_upload_request {
     std::uint32_t ul_sub_index{}; ///< subindex, 0 to 255
     friend constexpr bool operator==(const sdo_upload_request&, const sdo_upload_request&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = sdo_upload_request;
         using type = layout<
             nested<&T::head>,
@@ -197,7 +195,7 @@ struct sdo_upload_confirmation {
     std::uint32_t ul_data_cnt{};  ///< n, bytes of abSdoData
     friend constexpr bool operator==(const sdo_upload_confirmation&, const sdo_upload_confirmation&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = sdo_upload_confirmation;
         using type = layout<
             nested<&T::head>,

@@ -11,8 +11,6 @@
 // clang-format off
 namespace jauscat::hilscher {
 
-using namespace wire::items;
-
 /// ulListType: which objects a list names.
 enum class packet_list_type : std::uint32_t {
     all = 1,
@@ -29,7 +27,7 @@ struct get_od_list_request {
     packet_list_type ul_list_type{}; ///< which objects
     friend constexpr bool operator==(const get_od_list_request&, const get_od_list_request&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = get_od_list_request;
         using type = layout<
             nested<&T::head>,
@@ -47,7 +45,7 @@ struct get_od_list_confirmation {
     std::uint32_t ul_data_cnt{};     ///< n, indices in ausObjectList, 0 to 772
     friend constexpr bool operator==(const get_od_list_confirmation&, const get_od_list_confirmation&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = get_od_list_confirmation;
         using type = layout<
             nested<&T::head>,
@@ -65,7 +63,7 @@ struct get_object_description_request {
     friend constexpr bool operator==(const get_object_description_request&,
                                      const get_object_description_request&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = get_object_description_request;
         using type = layout<
             nested<&T::head>,
@@ -88,7 +86,7 @@ struct get_object_description_confirmation {
     friend constexpr bool operator==(const get_object_description_confirmation&,
                                      const get_object_description_confirmation&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = get_object_description_confirmation;
         using type = layout<
             nested<&T::head>,
@@ -112,7 +110,7 @@ struct get_entry_description_request {
     friend constexpr bool operator==(const get_entry_description_request&,
                                      const get_entry_description_request&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = get_entry_description_request;
         using type = layout<
             nested<&T::head>,
@@ -139,7 +137,7 @@ struct get_entry_description_confirmation {
     std::uint32_t ul_unit_type{};          ///< unit; 0 where ulValueInfo has none
     std::uint32_t ul_data_len{};           ///< n, bytes of abObjData, 0 to 1512
 
-    struct schema {
+    struct schema : wire::items {
         using T = get_entry_description_confirmation;
         using type = layout<
             nested<&T::head>,
@@ -162,7 +160,7 @@ struct get_entry_description_confirmation {
 struct entry_unit {
     std::uint32_t ul_unit_type{}; ///< as reported by the slave
 
-    struct schema {
+    struct schema : wire::items {
         using T = entry_unit;
         using type = layout<field<&T::ul_unit_type, u32le>>;
     };

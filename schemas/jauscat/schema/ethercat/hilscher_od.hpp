@@ -14,8 +14,6 @@
 // clang-format off
 namespace jauscat::hilscher {
 
-using namespace wire::items;
-
 /// bObjectCode.
 enum class od_object_code : std::uint8_t {
     domain = 2,
@@ -92,7 +90,7 @@ struct od_create_object_request {
     std::optional<wire::blob> initial{};               ///< the value at the start, as it travels
     std::optional<wire::blob> default_{};              ///< the value by default, as it travels
 
-    struct schema {
+    struct schema : wire::items {
         using T = od_create_object_request;
         using type = layout<
             nested<&T::head>,
@@ -128,7 +126,7 @@ struct od_create_object_confirmation {
     packet_header head{.ul_len = 2, .ul_cmd = packet_command::od_create_object_cnf};
     std::uint16_t us_index{}; ///< as in the request
 
-    struct schema {
+    struct schema : wire::items {
         using T = od_create_object_confirmation;
         using type = layout<
             nested<&T::head>,
@@ -161,7 +159,7 @@ struct od_create_subobject_request {
     std::optional<wire::blob> initial{};               ///< the value at the start, as it travels
     std::optional<wire::blob> default_{};              ///< the value by default, as it travels
 
-    struct schema {
+    struct schema : wire::items {
         using T = od_create_subobject_request;
         using type = layout<
             nested<&T::head>,
@@ -196,7 +194,7 @@ struct od_create_subobject_confirmation {
     std::uint16_t us_index{};   ///< as in the request
     std::uint8_t b_sub_index{}; ///< as in the request
 
-    struct schema {
+    struct schema : wire::items {
         using T = od_create_subobject_confirmation;
         using type = layout<
             nested<&T::head>,

@@ -9,8 +9,6 @@
 // clang-format off
 namespace jauscat::hilscher {
 
-using namespace wire::items;
-
 /// A state of the bus; the numbers are those of AL status.
 enum class bus_state : std::uint16_t { unknown = 0, init = 1, pre_op = 2, boot = 3, safe_op = 4, op = 8 };
 
@@ -20,7 +18,7 @@ struct set_state_request {
     bus_state us_new_ec_state{}; ///< INIT, PRE-OP, SAFE-OP or OP
     friend constexpr bool operator==(const set_state_request&, const set_state_request&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = set_state_request;
         using type = layout<
             nested<&T::head>,
@@ -33,7 +31,7 @@ struct set_state_confirmation {
     packet_header head{.ul_cmd = packet_command::set_state_cnf};
     friend constexpr bool operator==(const set_state_confirmation&, const set_state_confirmation&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = set_state_confirmation;
         using type = layout<nested<&T::head>>;
     };
@@ -44,7 +42,7 @@ struct get_state_request {
     packet_header head{.ul_cmd = packet_command::get_state_req};
     friend constexpr bool operator==(const get_state_request&, const get_state_request&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = get_state_request;
         using type = layout<nested<&T::head>>;
     };
@@ -56,7 +54,7 @@ struct get_state_confirmation {
     bus_state us_current_ec_state{}; ///< `unknown` before there is a bus
     friend constexpr bool operator==(const get_state_confirmation&, const get_state_confirmation&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = get_state_confirmation;
         using type = layout<
             nested<&T::head>,
@@ -70,7 +68,7 @@ struct start_bus_scan_request {
     std::uint32_t ul_timeout{}; ///< milliseconds
     friend constexpr bool operator==(const start_bus_scan_request&, const start_bus_scan_request&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = start_bus_scan_request;
         using type = layout<
             nested<&T::head>,
@@ -84,7 +82,7 @@ struct start_bus_scan_confirmation {
     std::uint32_t ul_found_slaves{}; ///< slaves in the ring
     friend constexpr bool operator==(const start_bus_scan_confirmation&, const start_bus_scan_confirmation&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = start_bus_scan_confirmation;
         using type = layout<
             nested<&T::head>,
@@ -98,7 +96,7 @@ struct get_bus_scan_info_request {
     std::uint16_t us_auto_inc_addr{}; ///< 0 the first slave, 0xFFFF the second, 0xFFFE the third
     friend constexpr bool operator==(const get_bus_scan_info_request&, const get_bus_scan_info_request&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = get_bus_scan_info_request;
         using type = layout<
             nested<&T::head>,
@@ -117,7 +115,7 @@ struct get_bus_scan_info_confirmation {
     friend constexpr bool operator==(const get_bus_scan_info_confirmation&,
                                      const get_bus_scan_info_confirmation&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = get_bus_scan_info_confirmation;
         using type = layout<
             nested<&T::head>,
@@ -138,7 +136,7 @@ struct get_slave_handles_request {
     handle_list ul_param{}; ///< which slaves
     friend constexpr bool operator==(const get_slave_handles_request&, const get_slave_handles_request&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = get_slave_handles_request;
         using type = layout<
             nested<&T::head>,
@@ -153,7 +151,7 @@ struct get_slave_handles_confirmation {
     friend constexpr bool operator==(const get_slave_handles_confirmation&,
                                      const get_slave_handles_confirmation&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = get_slave_handles_confirmation;
         using type = layout<
             nested<&T::head>,
@@ -166,7 +164,7 @@ struct slave_handle {
     std::uint32_t ul_handle{}; ///< the slave's station address in this library's answers
     friend constexpr bool operator==(const slave_handle&, const slave_handle&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = slave_handle;
         using type = layout<field<&T::ul_handle, u32le>>;
     };
@@ -179,7 +177,7 @@ struct read_emergencies_request {
     std::uint32_t f_delete_emergency{}; ///< not 0: forget them afterwards
     friend constexpr bool operator==(const read_emergencies_request&, const read_emergencies_request&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = read_emergencies_request;
         using type = layout<
             nested<&T::head>,
@@ -198,7 +196,7 @@ struct read_emergencies_confirmation {
     friend constexpr bool operator==(const read_emergencies_confirmation&,
                                      const read_emergencies_confirmation&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = read_emergencies_confirmation;
         using type = layout<
             nested<&T::head>,

@@ -10,8 +10,6 @@
 // clang-format off
 namespace jauscat::ethercat {
 
-using namespace wire::items;
-
 inline constexpr std::size_t min_mailbox_size = 24;   ///< bytes: sufficient for any SDO response
 inline constexpr std::size_t max_mailbox_size = 1486; ///< bytes: what one datagram carries
 
@@ -27,7 +25,7 @@ struct mailbox_header {
     mailbox_type type{};     ///< protocol of what follows
     std::uint8_t counter{};  ///< 1 to 7, another one for each new message; 0: not used
 
-    struct schema {
+    struct schema : wire::items {
         using T = mailbox_header;
         using type = layout<
             field<&T::length, u16le>,
@@ -61,7 +59,7 @@ struct mailbox_error_reply {
     std::uint16_t type{}; ///< 1
     mailbox_error_code code{};
 
-    struct schema {
+    struct schema : wire::items {
         using T = mailbox_error_reply;
         using type = layout<
             field<&T::type, u16le>,

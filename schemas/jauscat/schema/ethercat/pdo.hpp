@@ -9,15 +9,13 @@
 // clang-format off
 namespace jauscat::ethercat {
 
-using namespace wire::items;
-
 /// One mapped object, 4 bytes: as a number index << 16 | subindex << 8 | bits.
 struct pdo_mapping {
     std::uint8_t bits{};     ///< of its value
     std::uint8_t subindex{}; ///< of the object
     std::uint16_t index{};   ///< 0: a gap
 
-    struct schema {
+    struct schema : wire::items {
         using T = pdo_mapping;
         using type = layout<
             field<&T::bits, u8>,

@@ -11,8 +11,6 @@
 // clang-format off
 namespace jauscat::ethercat {
 
-using namespace wire::items;
-
 /// Service of an SDO information message.
 enum class sdo_information_opcode : std::uint8_t {
     list_request = 1,
@@ -30,7 +28,7 @@ struct sdo_information_header {
     bool incomplete{};               ///< more fragments follow
     std::uint16_t fragments_left{};  ///< how many
 
-    struct schema {
+    struct schema : wire::items {
         using T = sdo_information_header;
         using type = layout<
             bit_fields<u8,
@@ -45,7 +43,7 @@ struct sdo_information_header {
 struct sdo_information_error {
     abort_code code{}; ///< why
 
-    struct schema {
+    struct schema : wire::items {
         using T = sdo_information_error;
         using type = layout<field<&T::code, enumeration<abort_code, u32le>>>;
     };
@@ -65,7 +63,7 @@ enum class object_list_type : std::uint16_t {
 struct object_list {
     object_list_type type{}; ///< which objects
 
-    struct schema {
+    struct schema : wire::items {
         using T = object_list;
         using type = layout<field<&T::type, enumeration<object_list_type, u16le>>>;
     };
@@ -78,7 +76,7 @@ enum class object_code : std::uint8_t { variable = 7, array = 8, record = 9 };
 struct object_query {
     std::uint16_t index{}; ///< of the object
 
-    struct schema {
+    struct schema : wire::items {
         using T = object_query;
         using type = layout<field<&T::index, u16le>>;
     };
@@ -91,7 +89,7 @@ struct object_answer {
     std::uint8_t highest_subindex{}; ///< of the object
     object_code code{};              ///< variable, array or record
 
-    struct schema {
+    struct schema : wire::items {
         using T = object_answer;
         using type = layout<
             field<&T::index, u16le>,
@@ -107,7 +105,7 @@ struct entry_query {
     std::uint8_t subindex{};   ///< of the entry
     std::uint8_t value_info{}; ///< bits: 0 access, 1 category, 2 PDO mapping, 3 unit, 4 default, 5 minimum, 6 maximum
 
-    struct schema {
+    struct schema : wire::items {
         using T = entry_query;
         using type = layout<
             field<&T::index, u16le>,
@@ -129,7 +127,7 @@ struct entry_access {
     bool backup{};        ///< is kept by the backup of a device that gets replaced
     bool setting{};       ///< is one of the device's settings
 
-    struct schema {
+    struct schema : wire::items {
         using T = entry_access;
         using type = layout<
             bit_fields<u16le,
@@ -156,7 +154,7 @@ struct entry_answer {
     std::uint16_t bits{};      ///< size of the entry
     entry_access access{};     ///< permitted accesses, by state
 
-    struct schema {
+    struct schema : wire::items {
         using T = entry_answer;
         using type = layout<
             field<&T::index, u16le>,

@@ -11,8 +11,6 @@
 // clang-format off
 namespace jauscat::ethercat {
 
-using namespace wire::items;
-
 /// Word addresses of the fixed part, and of the first category.
 namespace sii_words {
 inline constexpr std::uint16_t configuration = 0x00; ///< what the slave controller loads at power-on
@@ -33,7 +31,7 @@ struct sii_configuration {
     std::array<std::byte, 4> gap{};      ///< reserved
     std::uint16_t checksum{};            ///< low byte: CRC-8 of the 14 bytes before it, polynomial 0x07, start 0xFF
 
-    struct schema {
+    struct schema : wire::items {
         using T = sii_configuration;
         using type = layout<
             field<&T::pdi_control, u16le>,
@@ -56,7 +54,7 @@ struct sii_identity {
     std::uint32_t revision{}; ///< object 1018h:3
     std::uint32_t serial{};   ///< object 1018h:4
 
-    struct schema {
+    struct schema : wire::items {
         using T = sii_identity;
         using type = layout<
             field<&T::vendor, u32le>,
@@ -79,7 +77,7 @@ struct sii_mailbox {
     bool soe{};                     ///< servo drive profile over EtherCAT
     bool voe{};                     ///< the vendor's own
 
-    struct schema {
+    struct schema : wire::items {
         using T = sii_mailbox;
         using type = layout<
             field<&T::receive_offset, u16le>,
@@ -102,7 +100,7 @@ struct sii_size {
     std::uint16_t kibit{};   ///< size of the memory in Kibit, less 1
     std::uint16_t version{}; ///< 1
 
-    struct schema {
+    struct schema : wire::items {
         using T = sii_size;
         using type = layout<
             field<&T::kibit, u16le>,
@@ -127,7 +125,7 @@ struct sii_category_header {
     sii_category category{}; ///< what the data are
     std::uint16_t words{};   ///< length of the data
 
-    struct schema {
+    struct schema : wire::items {
         using T = sii_category_header;
         using type = layout<
             field<&T::category, enumeration<sii_category, u16le>>,
@@ -157,7 +155,7 @@ struct sii_general {
     std::uint16_t ports{};             ///< 4 bits per port: 0 none, 1 MII, 3 EBUS
     std::array<std::byte, 14> gap_3{}; ///< reserved
 
-    struct schema {
+    struct schema : wire::items {
         using T = sii_general;
         using type = layout<
             field<&T::group, u8>,
@@ -196,7 +194,7 @@ struct sii_sync_manager {
     std::uint8_t enable{};      ///< bit 0: enabled
     sii_sync_manager_use use{}; ///< what it is for
 
-    struct schema {
+    struct schema : wire::items {
         using T = sii_sync_manager;
         using type = layout<
             field<&T::start, u16le>,
@@ -220,7 +218,7 @@ struct sii_pdo {
     std::uint8_t name{};            ///< index of a string
     std::uint16_t flags{};          ///< such as: mandatory, fixed
 
-    struct schema {
+    struct schema : wire::items {
         using T = sii_pdo;
         using type = layout<
             field<&T::index, u16le>,
@@ -241,7 +239,7 @@ struct sii_pdo_entry {
     std::uint8_t bits{};      ///< of its value
     std::uint16_t flags{};    ///< reserved
 
-    struct schema {
+    struct schema : wire::items {
         using T = sii_pdo_entry;
         using type = layout<
             field<&T::index, u16le>,
@@ -265,7 +263,7 @@ struct sii_clock_mode {
     std::uint8_t description{};      ///< index of a string
     std::array<std::byte, 4> gap{};  ///< reserved
 
-    struct schema {
+    struct schema : wire::items {
         using T = sii_clock_mode;
         using type = layout<
             field<&T::cycle_time_0, u32le>,

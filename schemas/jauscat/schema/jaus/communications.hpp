@@ -1,12 +1,11 @@
 // Communications subgroup of RA 3.3 part 3: data links, heartbeat.
 #pragma once
+#include <jauscat/schema/jaus/message_list.hpp>
 #include <jauscat/wire/schema.hpp>
 
 // One line per field, as in the standard's tables.
 // clang-format off
 namespace jauscat::jaus {
-
-using namespace wire::items;
 
 /// State of a data link. Other values are not assigned.
 enum class data_link_state : std::uint8_t {
@@ -22,7 +21,7 @@ struct set_data_link_state {
     data_link_state state{}; ///< the wanted state
     friend constexpr bool operator==(const set_data_link_state&, const set_data_link_state&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0200;
         using T = set_data_link_state;
         using type = layout<field<&T::state, enumeration<data_link_state, u8>>>;
@@ -35,7 +34,7 @@ struct set_data_link_select {
     std::uint8_t data_link_id{}; ///< which data link
     friend constexpr bool operator==(const set_data_link_select&, const set_data_link_select&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0201;
         using T = set_data_link_select;
         using type = layout<field<&T::data_link_id, u8>>;
@@ -50,7 +49,7 @@ struct set_selected_data_link_state {
     friend constexpr bool operator==(const set_selected_data_link_state&,
                                      const set_selected_data_link_state&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0202;
         using T = set_selected_data_link_state;
         using type = layout<
@@ -65,7 +64,7 @@ struct query_data_link_status {
     std::uint8_t data_link_id{}; ///< which data link
     friend constexpr bool operator==(const query_data_link_status&, const query_data_link_status&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2200;
         using report = struct report_data_link_status;
         using T = query_data_link_status;
@@ -79,7 +78,7 @@ struct query_selected_data_link_status {
     friend constexpr bool operator==(const query_selected_data_link_status&,
                                      const query_selected_data_link_status&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2201;
         using report = struct report_selected_data_link_status;
         using type = layout<>;
@@ -91,7 +90,7 @@ struct query_selected_data_link_status {
 struct query_heartbeat_pulse {
     friend constexpr bool operator==(const query_heartbeat_pulse&, const query_heartbeat_pulse&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2202;
         using report = struct report_heartbeat_pulse;
         using type = layout<>;
@@ -105,7 +104,7 @@ struct report_data_link_status {
     data_link_state state{};     ///< the state it is in
     friend constexpr bool operator==(const report_data_link_status&, const report_data_link_status&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4200;
         using query = query_data_link_status;
         using T = report_data_link_status;
@@ -122,7 +121,7 @@ struct report_selected_data_link_status {
     friend constexpr bool operator==(const report_selected_data_link_status&,
                                      const report_selected_data_link_status&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4201;
         using query = query_selected_data_link_status;
         using T = report_selected_data_link_status;
@@ -135,11 +134,23 @@ struct report_selected_data_link_status {
 struct report_heartbeat_pulse {
     friend constexpr bool operator==(const report_heartbeat_pulse&, const report_heartbeat_pulse&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4202;
         using query = query_heartbeat_pulse;
         using type = layout<>;
     };
 };
+
+/// The messages of the subgroup, by command code.
+using communications_subgroup = message_list<
+    set_data_link_state,
+    set_data_link_select,
+    set_selected_data_link_state,
+    query_data_link_status,
+    query_selected_data_link_status,
+    query_heartbeat_pulse,
+    report_data_link_status,
+    report_selected_data_link_status,
+    report_heartbeat_pulse>;
 
 } // namespace jauscat::jaus

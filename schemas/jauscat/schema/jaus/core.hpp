@@ -1,5 +1,6 @@
 // Core subgroup of RA 3.3 part 3: authority, state, emergency, service connections, control, time.
 #pragma once
+#include <jauscat/schema/jaus/message_list.hpp>
 #include <jauscat/schema/jaus/time_stamp.hpp>
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/wire/schema.hpp>
@@ -8,15 +9,13 @@
 // clang-format off
 namespace jauscat::jaus {
 
-using namespace wire::items;
-
 /// Set Component Authority: sets the authority of the receiving component.
 /// Code 0001h, command class, 1 byte.
 struct set_component_authority {
     std::uint8_t authority_code{}; ///< 0 lowest to 255 highest
     friend constexpr bool operator==(const set_component_authority&, const set_component_authority&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0001;
         using T = set_component_authority;
         using type = layout<field<&T::authority_code, u8>>;
@@ -28,7 +27,7 @@ struct set_component_authority {
 struct shutdown {
     friend constexpr bool operator==(const shutdown&, const shutdown&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0002;
         using type = layout<>;
     };
@@ -39,7 +38,7 @@ struct shutdown {
 struct standby {
     friend constexpr bool operator==(const standby&, const standby&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0003;
         using type = layout<>;
     };
@@ -50,7 +49,7 @@ struct standby {
 struct resume {
     friend constexpr bool operator==(const resume&, const resume&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0004;
         using type = layout<>;
     };
@@ -61,7 +60,7 @@ struct resume {
 struct reset {
     friend constexpr bool operator==(const reset&, const reset&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0005;
         using type = layout<>;
     };
@@ -78,7 +77,7 @@ struct set_emergency {
     wire::bit_set<set_emergency_code> emergency_code{}; ///< bits 1 to 15 are unassigned, sent as zero
     friend constexpr bool operator==(const set_emergency&, const set_emergency&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0006;
         using T = set_emergency;
         using type = layout<field<&T::emergency_code, bit_set_codec<set_emergency_code, u16le>>>;
@@ -96,7 +95,7 @@ struct clear_emergency {
     wire::bit_set<clear_emergency_code> emergency_code{}; ///< bits 1 to 15 are unassigned, sent as zero
     friend constexpr bool operator==(const clear_emergency&, const clear_emergency&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0007;
         using T = clear_emergency;
         using type = layout<field<&T::emergency_code, bit_set_codec<clear_emergency_code, u16le>>>;
@@ -111,7 +110,7 @@ struct create_service_connection {
     std::uint32_t requested_presence_vector{}; ///< wanted fields; shorter vectors are in the low bits
     friend constexpr bool operator==(const create_service_connection&, const create_service_connection&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0008;
         using T = create_service_connection;
         using type = layout<
@@ -141,7 +140,7 @@ struct confirm_service_connection {
     service_connection_response response_code{}; ///< created, or why not
     friend constexpr bool operator==(const confirm_service_connection&, const confirm_service_connection&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0009;
         using T = confirm_service_connection;
         using type = layout<
@@ -159,7 +158,7 @@ struct activate_service_connection {
     std::uint8_t instance_id{};   ///< the service connection, as the confirmation numbered it
     friend constexpr bool operator==(const activate_service_connection&, const activate_service_connection&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x000A;
         using T = activate_service_connection;
         using type = layout<
@@ -175,7 +174,7 @@ struct suspend_service_connection {
     std::uint8_t instance_id{};   ///< the service connection, as the confirmation numbered it
     friend constexpr bool operator==(const suspend_service_connection&, const suspend_service_connection&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x000B;
         using T = suspend_service_connection;
         using type = layout<
@@ -192,7 +191,7 @@ struct terminate_service_connection {
     friend constexpr bool operator==(const terminate_service_connection&,
                                      const terminate_service_connection&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x000C;
         using T = terminate_service_connection;
         using type = layout<
@@ -207,7 +206,7 @@ struct request_component_control {
     std::uint8_t authority_code{}; ///< the sender's; 0 lowest to 255 highest
     friend constexpr bool operator==(const request_component_control&, const request_component_control&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x000D;
         using T = request_component_control;
         using type = layout<field<&T::authority_code, u8>>;
@@ -219,7 +218,7 @@ struct request_component_control {
 struct release_component_control {
     friend constexpr bool operator==(const release_component_control&, const release_component_control&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x000E;
         using type = layout<>;
     };
@@ -238,7 +237,7 @@ struct confirm_component_control {
     component_control_response response_code{}; ///< granted, or why not
     friend constexpr bool operator==(const confirm_component_control&, const confirm_component_control&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x000F;
         using T = confirm_component_control;
         using type = layout<
@@ -253,7 +252,7 @@ struct confirm_component_control {
 struct reject_component_control {
     friend constexpr bool operator==(const reject_component_control&, const reject_component_control&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0010;
         using type = layout<>;
     };
@@ -266,7 +265,7 @@ struct set_time {
     std::optional<jaus::date_stamp> date_stamp{}; ///< day, month, year
     friend constexpr bool operator==(const set_time&, const set_time&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0011;
         using T = set_time;
         using type = layout<
@@ -281,7 +280,7 @@ struct set_time {
 struct query_component_authority {
     friend constexpr bool operator==(const query_component_authority&, const query_component_authority&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2001;
         using report = struct report_component_authority;
         using type = layout<>;
@@ -293,7 +292,7 @@ struct query_component_authority {
 struct query_component_status {
     friend constexpr bool operator==(const query_component_status&, const query_component_status&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2002;
         using report = struct report_component_status;
         using type = layout<>;
@@ -305,7 +304,7 @@ struct query_component_status {
 struct query_component_control {
     friend constexpr bool operator==(const query_component_control&, const query_component_control&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x200D;
         using report = struct report_component_control;
         using type = layout<>;
@@ -318,7 +317,7 @@ struct query_time {
     std::uint8_t presence_vector{}; ///< the requested fields of Report Time
     friend constexpr bool operator==(const query_time&, const query_time&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2011;
         using report = struct report_time;
         using T = query_time;
@@ -332,7 +331,7 @@ struct report_component_authority {
     std::uint8_t authority_code{}; ///< 0 lowest to 255 highest
     friend constexpr bool operator==(const report_component_authority&, const report_component_authority&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4001;
         using query = query_component_authority;
         using T = report_component_authority;
@@ -357,7 +356,7 @@ struct report_component_status {
     std::uint32_t secondary_status_code{};           ///< 32 bits of the component's own meaning
     friend constexpr bool operator==(const report_component_status&, const report_component_status&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4002;
         using query = query_component_status;
         using T = report_component_status;
@@ -377,7 +376,7 @@ struct report_component_control {
     std::uint8_t authority_code{}; ///< the controlling component's; 0 lowest to 255 highest
     friend constexpr bool operator==(const report_component_control&, const report_component_control&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x400D;
         using query = query_component_control;
         using T = report_component_control;
@@ -397,7 +396,7 @@ struct report_time {
     std::optional<jaus::date_stamp> date_stamp{}; ///< day, month, year
     friend constexpr bool operator==(const report_time&, const report_time&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4011;
         using query = query_time;
         using T = report_time;
@@ -407,5 +406,33 @@ struct report_time {
                 nested<&T::date_stamp>>>;
     };
 };
+
+/// The messages of the subgroup, by command code.
+using core_subgroup = message_list<
+    set_component_authority,
+    shutdown,
+    standby,
+    resume,
+    reset,
+    set_emergency,
+    clear_emergency,
+    create_service_connection,
+    confirm_service_connection,
+    activate_service_connection,
+    suspend_service_connection,
+    terminate_service_connection,
+    request_component_control,
+    release_component_control,
+    confirm_component_control,
+    reject_component_control,
+    set_time,
+    query_component_authority,
+    query_component_status,
+    query_component_control,
+    query_time,
+    report_component_authority,
+    report_component_status,
+    report_component_control,
+    report_time>;
 
 } // namespace jauscat::jaus

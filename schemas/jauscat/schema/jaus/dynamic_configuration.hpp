@@ -1,12 +1,11 @@
 // Dynamic configuration subgroup of RA 3.3 part 3: identification, configuration, subsystems, services.
 #pragma once
+#include <jauscat/schema/jaus/message_list.hpp>
 #include <jauscat/wire/schema.hpp>
 
 // One line per field, as in the standard's tables.
 // clang-format off
 namespace jauscat::jaus {
-
-using namespace wire::items;
 
 /// Level to be identified. Other values are reserved.
 enum class query_type : std::uint8_t {
@@ -22,7 +21,7 @@ struct query_identification {
     jaus::query_type query_type{}; ///< level to be identified
     friend constexpr bool operator==(const query_identification&, const query_identification&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2B00;
         using report = struct report_identification;
         using T = query_identification;
@@ -42,7 +41,7 @@ struct query_configuration {
     jaus::query_field query_field{}; ///< level of the configuration
     friend constexpr bool operator==(const query_configuration&, const query_configuration&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2B01;
         using report = struct report_configuration;
         using T = query_configuration;
@@ -55,7 +54,7 @@ struct query_configuration {
 struct query_subsystem_list {
     friend constexpr bool operator==(const query_subsystem_list&, const query_subsystem_list&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2B02;
         using report = struct report_subsystem_list;
         using type = layout<>;
@@ -67,7 +66,7 @@ struct query_subsystem_list {
 struct query_services {
     friend constexpr bool operator==(const query_services&, const query_services&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2B03;
         using report = struct report_services;
         using type = layout<>;
@@ -85,7 +84,7 @@ struct report_identification {
     std::string_view identification{}; ///< up to 80 characters
     friend constexpr bool operator==(const report_identification&, const report_identification&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4B00;
         using query = query_identification;
         using T = report_identification;
@@ -103,7 +102,7 @@ struct configured_component {
     std::uint8_t instance_id{};  ///< 1 to 254
     friend constexpr bool operator==(const configured_component&, const configured_component&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = configured_component;
         using type = layout<
             field<&T::component_id, u8>,
@@ -117,7 +116,7 @@ struct configured_node {
     wire::list<configured_component> component{}; ///< up to 255
     friend constexpr bool operator==(const configured_node&, const configured_node&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = configured_node;
         using type = layout<
             field<&T::node_id, u8>,
@@ -131,7 +130,7 @@ struct report_configuration {
     wire::list<configured_node> node{}; ///< up to 255
     friend constexpr bool operator==(const report_configuration&, const report_configuration&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4B01;
         using query = query_configuration;
         using T = report_configuration;
@@ -147,7 +146,7 @@ struct listed_subsystem {
     std::uint8_t instance_id{};  ///< 1 to 254
     friend constexpr bool operator==(const listed_subsystem&, const listed_subsystem&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = listed_subsystem;
         using type = layout<
             field<&T::subsystem_id, u8>,
@@ -163,7 +162,7 @@ struct report_subsystem_list {
     wire::list<listed_subsystem> subsystem{}; ///< up to 255
     friend constexpr bool operator==(const report_subsystem_list&, const report_subsystem_list&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4B02;
         using query = query_subsystem_list;
         using T = report_subsystem_list;
@@ -177,7 +176,7 @@ struct supported_message {
     std::uint32_t supported_presence_vector{}; ///< the supported fields; shorter vectors are in the low bits
     friend constexpr bool operator==(const supported_message&, const supported_message&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = supported_message;
         using type = layout<
             field<&T::command_code, u16le>,
@@ -192,7 +191,7 @@ struct offered_service {
     wire::list<supported_message> output_message{}; ///< what it sends; up to 255
     friend constexpr bool operator==(const offered_service&, const offered_service&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = offered_service;
         using type = layout<
             field<&T::service_type, u16le>,
@@ -207,12 +206,23 @@ struct report_services {
     wire::list<offered_service> service{}; ///< up to 255
     friend constexpr bool operator==(const report_services&, const report_services&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4B03;
         using query = query_services;
         using T = report_services;
         using type = layout<repeated<&T::service, count<"number_of_services", u8>>>;
     };
 };
+
+/// The messages of the subgroup, by command code.
+using dynamic_configuration_subgroup = message_list<
+    query_identification,
+    query_configuration,
+    query_subsystem_list,
+    query_services,
+    report_identification,
+    report_configuration,
+    report_subsystem_list,
+    report_services>;
 
 } // namespace jauscat::jaus

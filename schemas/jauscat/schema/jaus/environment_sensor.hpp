@@ -1,5 +1,6 @@
 // Environment sensor subgroup of RA 3.3 part 3: cameras, images, relative object positions.
 #pragma once
+#include <jauscat/schema/jaus/message_list.hpp>
 #include <jauscat/schema/jaus/time_stamp.hpp>
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/wire/schema.hpp>
@@ -7,8 +8,6 @@
 // One line per field, as in the standard's tables.
 // clang-format off
 namespace jauscat::jaus {
-
-using namespace wire::items;
 
 /// Axes of Set Camera Pose whose value is a rate; a position where the bit is clear. Bit numbers.
 enum class mode_indicator : std::uint8_t {
@@ -33,7 +32,7 @@ struct set_camera_pose {
     std::optional<double> angular_z_displacement_or_rate{}; ///< percent, -100 to 100
     friend constexpr bool operator==(const set_camera_pose&, const set_camera_pose&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0801;
         using T = set_camera_pose;
         using type = layout<
@@ -55,7 +54,7 @@ struct select_camera {
     std::uint8_t camera_id{}; ///< camera to select
     friend constexpr bool operator==(const select_camera&, const select_camera&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0802;
         using T = select_camera;
         using type = layout<field<&T::camera_id, u8>>;
@@ -105,7 +104,7 @@ struct set_camera_capabilities {
     std::optional<wire::bit_set<jaus::audio_controls>> audio_controls{};     ///< what to switch on
     friend constexpr bool operator==(const set_camera_capabilities&, const set_camera_capabilities&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0805;
         using T = set_camera_capabilities;
         using type = layout<
@@ -168,7 +167,7 @@ struct set_camera_format_options {
     std::optional<std::uint32_t> format_options{};    ///< 32 bits that RA 3.3 leaves open
     friend constexpr bool operator==(const set_camera_format_options&, const set_camera_format_options&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0806;
         using T = set_camera_format_options;
         using type = layout<
@@ -187,7 +186,7 @@ struct query_camera_pose {
     std::uint8_t camera_id{};        ///< which camera
     friend constexpr bool operator==(const query_camera_pose&, const query_camera_pose&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2800;
         using report = struct report_camera_pose;
         using T = query_camera_pose;
@@ -202,7 +201,7 @@ struct query_camera_pose {
 struct query_camera_count {
     friend constexpr bool operator==(const query_camera_count&, const query_camera_count&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2801;
         using report = struct report_camera_count;
         using type = layout<>;
@@ -216,7 +215,7 @@ struct query_relative_object_position {
     friend constexpr bool operator==(const query_relative_object_position&,
                                      const query_relative_object_position&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2802;
         using report = struct report_relative_object_position;
         using T = query_relative_object_position;
@@ -229,7 +228,7 @@ struct query_relative_object_position {
 struct query_selected_camera {
     friend constexpr bool operator==(const query_selected_camera&, const query_selected_camera&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2804;
         using report = struct report_selected_camera;
         using type = layout<>;
@@ -243,7 +242,7 @@ struct query_camera_capabilities {
     std::uint8_t camera_id{};        ///< which camera
     friend constexpr bool operator==(const query_camera_capabilities&, const query_camera_capabilities&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2805;
         using report = struct report_camera_capabilities;
         using T = query_camera_capabilities;
@@ -260,7 +259,7 @@ struct query_camera_format_options {
     std::uint8_t camera_id{};       ///< which camera
     friend constexpr bool operator==(const query_camera_format_options&, const query_camera_format_options&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2806;
         using report = struct report_camera_format_options;
         using T = query_camera_format_options;
@@ -275,7 +274,7 @@ struct query_camera_format_options {
 struct query_image {
     friend constexpr bool operator==(const query_image&, const query_image&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2807;
         using report = struct report_image;
         using type = layout<>;
@@ -298,7 +297,7 @@ struct report_camera_pose {
     std::optional<double> z_camera_axis_direction_cosine_z{}; ///< -1 to 1
     friend constexpr bool operator==(const report_camera_pose&, const report_camera_pose&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4800;
         using query = query_camera_pose;
         using T = report_camera_pose;
@@ -324,7 +323,7 @@ struct report_camera_count {
     std::uint8_t camera_count{}; ///< cameras
     friend constexpr bool operator==(const report_camera_count&, const report_camera_count&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4801;
         using query = query_camera_count;
         using T = report_camera_count;
@@ -348,7 +347,7 @@ struct report_relative_object_position {
     friend constexpr bool operator==(const report_relative_object_position&,
                                      const report_relative_object_position&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4802;
         using query = query_relative_object_position;
         using T = report_relative_object_position;
@@ -372,7 +371,7 @@ struct report_selected_camera {
     std::uint8_t camera_id{}; ///< camera selected
     friend constexpr bool operator==(const report_selected_camera&, const report_selected_camera&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4804;
         using query = query_selected_camera;
         using T = report_selected_camera;
@@ -401,7 +400,7 @@ struct report_camera_capabilities {
     std::optional<wire::bit_set<jaus::audio_controls>> audio_controls{};     ///< what is available
     friend constexpr bool operator==(const report_camera_capabilities&, const report_camera_capabilities&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4805;
         using query = query_camera_capabilities;
         using T = report_camera_capabilities;
@@ -440,7 +439,7 @@ struct report_camera_format_options {
     friend constexpr bool operator==(const report_camera_format_options&,
                                      const report_camera_format_options&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4806;
         using query = query_camera_format_options;
         using T = report_camera_format_options;
@@ -465,7 +464,7 @@ struct report_image {
     wire::blob image_data{};     ///< in the coding above
     friend constexpr bool operator==(const report_image&, const report_image&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4807;
         using query = query_image;
         using T = report_image;
@@ -475,5 +474,26 @@ struct report_image {
             bytes<&T::image_data, rest>>;
     };
 };
+
+/// The messages of the subgroup, by command code.
+using environment_sensor_subgroup = message_list<
+    set_camera_pose,
+    select_camera,
+    set_camera_capabilities,
+    set_camera_format_options,
+    query_camera_pose,
+    query_camera_count,
+    query_relative_object_position,
+    query_selected_camera,
+    query_camera_capabilities,
+    query_camera_format_options,
+    query_image,
+    report_camera_pose,
+    report_camera_count,
+    report_relative_object_position,
+    report_selected_camera,
+    report_camera_capabilities,
+    report_camera_format_options,
+    report_image>;
 
 } // namespace jauscat::jaus

@@ -1,5 +1,6 @@
 // Event subgroup of RA 3.3 part 3: reports on change or in periods.
 #pragma once
+#include <jauscat/schema/jaus/message_list.hpp>
 #include <jauscat/schema/jaus/typed_value.hpp>
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/wire/schema.hpp>
@@ -7,8 +8,6 @@
 // One line per field, as in the standard's tables.
 // clang-format off
 namespace jauscat::jaus {
-
-using namespace wire::items;
 
 /// What triggers an event.
 enum class event_type : std::uint8_t {
@@ -50,7 +49,7 @@ struct create_event {
     std::optional<wire::blob> query_message_body{};          ///< of the query for the report, without a header
     friend constexpr bool operator==(const create_event&, const create_event&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x01F0;
         using T = create_event;
         using type = layout<
@@ -86,7 +85,7 @@ struct update_event {
     std::optional<wire::blob> query_message_body{};          ///< of the query for the report, without a header
     friend constexpr bool operator==(const update_event&, const update_event&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x01F1;
         using T = update_event;
         using type = layout<
@@ -114,7 +113,7 @@ struct cancel_event {
     std::optional<std::uint8_t> event_id{};      ///< the event, as the confirmation numbered it
     friend constexpr bool operator==(const cancel_event&, const cancel_event&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x01F2;
         using T = cancel_event;
         using type = layout<
@@ -146,7 +145,7 @@ struct confirm_event_request {
     event_response response_code{};                  ///< successful, or a restriction
     friend constexpr bool operator==(const confirm_event_request&, const confirm_event_request&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x01F3;
         using T = confirm_event_request;
         using type = layout<
@@ -168,7 +167,7 @@ struct reject_event_request {
     std::optional<std::string_view> error_message{}; ///< the reason in words
     friend constexpr bool operator==(const reject_event_request&, const reject_event_request&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x01F4;
         using T = reject_event_request;
         using type = layout<
@@ -187,7 +186,7 @@ struct query_events {
     std::optional<std::uint8_t> event_id{};       ///< only this event
     friend constexpr bool operator==(const query_events&, const query_events&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x21F0;
         using report = struct report_events;
         using T = query_events;
@@ -212,7 +211,7 @@ struct reported_event {
     std::optional<wire::blob> query_message{};      ///< of the query for the report; some peers put its header in front
     friend constexpr bool operator==(const reported_event&, const reported_event&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = reported_event;
         using type = layout<
             presence<u8,
@@ -234,7 +233,7 @@ struct report_events {
     wire::list<reported_event> event{}; ///< up to 255
     friend constexpr bool operator==(const report_events&, const report_events&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x41F0;
         using query = query_events;
         using T = report_events;
@@ -251,7 +250,7 @@ struct event {
     wire::blob report_message_body{};     ///< the report without a header
     friend constexpr bool operator==(const event&, const event&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x41F1;
         using T = event;
         using type = layout<
@@ -261,5 +260,16 @@ struct event {
             bytes<&T::report_message_body, count<"report_message_size", u32le>>>;
     };
 };
+
+/// The messages of the subgroup, by command code.
+using event_subgroup = message_list<
+    create_event,
+    update_event,
+    cancel_event,
+    confirm_event_request,
+    reject_event_request,
+    query_events,
+    report_events,
+    event>;
 
 } // namespace jauscat::jaus

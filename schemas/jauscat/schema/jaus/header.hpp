@@ -6,8 +6,6 @@
 // clang-format off
 namespace jauscat::jaus {
 
-using namespace wire::items;
-
 /// A JAUS ID, written subsystem.node.component.instance. Each octet: 1 to 254, 255 for all of that level, 0 invalid.
 struct address {
     std::uint8_t instance{};
@@ -16,7 +14,7 @@ struct address {
     std::uint8_t subsystem{};
     friend constexpr bool operator==(const address&, const address&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = address;
         using type = layout<
             field<&T::instance, u8>,
@@ -59,7 +57,7 @@ struct header {
     std::uint16_t sequence_number{}; ///< 0 to 65535
     friend constexpr bool operator==(const header&, const header&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = header;
         using type = layout<
             bit_fields<u16le,

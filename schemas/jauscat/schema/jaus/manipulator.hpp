@@ -1,5 +1,6 @@
 // Manipulator subgroup of RA 3.3 part 3: joints and end effector of an arm.
 #pragma once
+#include <jauscat/schema/jaus/message_list.hpp>
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/wire/schema.hpp>
 
@@ -9,15 +10,13 @@
 // clang-format off
 namespace jauscat::jaus {
 
-using namespace wire::items;
-
 /// Set Joint Efforts: drives the joints open-loop, in percent of their capability.
 /// Code 0601h, command class, 1 byte or more.
 template <std::size_t Capacity> struct basic_set_joint_efforts {
     wire::inline_list<double, Capacity> joint_effort{}; ///< percent, -100 to 100; from joint 1
     friend constexpr bool operator==(const basic_set_joint_efforts&, const basic_set_joint_efforts&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0601;
         using T = basic_set_joint_efforts<Capacity>;
         using type = layout<
@@ -33,7 +32,7 @@ template <std::size_t Capacity> struct basic_set_joint_positions {
     wire::inline_list<double, Capacity> joint_position{}; ///< radians, -8 pi to 8 pi; from joint 1
     friend constexpr bool operator==(const basic_set_joint_positions&, const basic_set_joint_positions&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0602;
         using T = basic_set_joint_positions<Capacity>;
         using type = layout<
@@ -49,7 +48,7 @@ template <std::size_t Capacity> struct basic_set_joint_velocities {
     wire::inline_list<double, Capacity> joint_velocity{}; ///< radians per second, -10 pi to 10 pi; from joint 1
     friend constexpr bool operator==(const basic_set_joint_velocities&, const basic_set_joint_velocities&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0603;
         using T = basic_set_joint_velocities<Capacity>;
         using type = layout<
@@ -67,7 +66,7 @@ struct set_tool_point {
     double z_coordinate_of_tool_tip{}; ///< metres, -15 to 15
     friend constexpr bool operator==(const set_tool_point&, const set_tool_point&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0604;
         using T = set_tool_point;
         using type = layout<
@@ -89,7 +88,7 @@ struct set_end_effector_pose {
     double c_component_of_unit_quaternion_q{}; ///< -1 to 1
     friend constexpr bool operator==(const set_end_effector_pose&, const set_end_effector_pose&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0605;
         using T = set_end_effector_pose;
         using type = layout<
@@ -122,7 +121,7 @@ struct set_end_effector_velocity_state {
     friend constexpr bool operator==(const set_end_effector_velocity_state&,
                                      const set_end_effector_velocity_state&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0606;
         using T = set_end_effector_velocity_state;
         using type = layout<
@@ -144,7 +143,7 @@ struct joint_motion {
     double joint_maximum_deceleration{}; ///< radians per second squared, -10 pi to 10 pi
     friend constexpr bool operator==(const joint_motion&, const joint_motion&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = joint_motion;
         using type = layout<
             field<&T::joint_position, scaled<u32le, joint_angle>>,
@@ -170,7 +169,7 @@ struct set_joint_motion {
     wire::list<joint_motion_pose> pose{}; ///< in the order of time
     friend constexpr bool operator==(const set_joint_motion&, const set_joint_motion&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0607;
         using T = set_joint_motion;
         using type = layout<
@@ -179,7 +178,7 @@ struct set_joint_motion {
     };
 };
 
-struct joint_motion_pose::schema {
+struct joint_motion_pose::schema : wire::items {
     using T = joint_motion_pose;
     using type = layout<
         field<&T::pose_time, scaled<u32le, pose_duration>>,
@@ -198,7 +197,7 @@ struct end_effector_path_pose {
     double c_component_of_unit_quaternion_q{}; ///< -1 to 1
     friend constexpr bool operator==(const end_effector_path_pose&, const end_effector_path_pose&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = end_effector_path_pose;
         using type = layout<
             field<&T::pose_time, scaled<u32le, pose_duration>>,
@@ -219,7 +218,7 @@ struct set_end_effector_path_motion {
     friend constexpr bool operator==(const set_end_effector_path_motion&,
                                      const set_end_effector_path_motion&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0608;
         using T = set_end_effector_path_motion;
         using type = layout<repeated<&T::pose, count<"number_of_poses", u8>>>;
@@ -232,7 +231,7 @@ struct query_manipulator_specifications {
     friend constexpr bool operator==(const query_manipulator_specifications&,
                                      const query_manipulator_specifications&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2600;
         using report = struct report_manipulator_specifications;
         using type = layout<>;
@@ -247,7 +246,7 @@ using report_joint_efforts = basic_report_joint_efforts<255>;
 struct query_joint_efforts {
     friend constexpr bool operator==(const query_joint_efforts&, const query_joint_efforts&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2601;
         using report = report_joint_efforts;
         using type = layout<>;
@@ -262,7 +261,7 @@ using report_joint_positions = basic_report_joint_positions<255>;
 struct query_joint_positions {
     friend constexpr bool operator==(const query_joint_positions&, const query_joint_positions&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2602;
         using report = report_joint_positions;
         using type = layout<>;
@@ -277,7 +276,7 @@ using report_joint_velocities = basic_report_joint_velocities<255>;
 struct query_joint_velocities {
     friend constexpr bool operator==(const query_joint_velocities&, const query_joint_velocities&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2603;
         using report = report_joint_velocities;
         using type = layout<>;
@@ -289,7 +288,7 @@ struct query_joint_velocities {
 struct query_tool_point {
     friend constexpr bool operator==(const query_tool_point&, const query_tool_point&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2604;
         using report = struct report_tool_point;
         using type = layout<>;
@@ -304,7 +303,7 @@ using report_joint_force_torques = basic_report_joint_force_torques<255>;
 struct query_joint_force_torques {
     friend constexpr bool operator==(const query_joint_force_torques&, const query_joint_force_torques&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2605;
         using report = report_joint_force_torques;
         using type = layout<>;
@@ -328,7 +327,7 @@ struct joint_specification {
     std::uint16_t joint_maximum_velocity{}; ///< thousandths of the joint's unit per second
     friend constexpr bool operator==(const joint_specification&, const joint_specification&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = joint_specification;
         using type = layout<
             field<&T::joint_type, enumeration<jaus::joint_type, u8>>,
@@ -363,7 +362,7 @@ struct report_manipulator_specifications {
     friend constexpr bool operator==(const report_manipulator_specifications&,
                                      const report_manipulator_specifications&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4600;
         using query = query_manipulator_specifications;
         using T = report_manipulator_specifications;
@@ -391,7 +390,7 @@ template <std::size_t Capacity> struct basic_report_joint_efforts {
     wire::inline_list<double, Capacity> joint_effort{}; ///< percent, -100 to 100; from joint 1
     friend constexpr bool operator==(const basic_report_joint_efforts&, const basic_report_joint_efforts&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4601;
         using query = query_joint_efforts;
         using T = basic_report_joint_efforts<Capacity>;
@@ -408,7 +407,7 @@ template <std::size_t Capacity> struct basic_report_joint_positions {
     friend constexpr bool operator==(const basic_report_joint_positions&,
                                      const basic_report_joint_positions&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4602;
         using query = query_joint_positions;
         using T = basic_report_joint_positions<Capacity>;
@@ -425,7 +424,7 @@ template <std::size_t Capacity> struct basic_report_joint_velocities {
     friend constexpr bool operator==(const basic_report_joint_velocities&,
                                      const basic_report_joint_velocities&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4603;
         using query = query_joint_velocities;
         using T = basic_report_joint_velocities<Capacity>;
@@ -443,7 +442,7 @@ struct report_tool_point {
     double z_coordinate_of_tool_tip{}; ///< metres, -15 to 15
     friend constexpr bool operator==(const report_tool_point&, const report_tool_point&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4604;
         using query = query_tool_point;
         using T = report_tool_point;
@@ -461,7 +460,7 @@ template <std::size_t Capacity> struct basic_report_joint_force_torques {
     friend constexpr bool operator==(const basic_report_joint_force_torques&,
                                      const basic_report_joint_force_torques&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4605;
         using query = query_joint_force_torques;
         using T = basic_report_joint_force_torques<Capacity>;
@@ -470,5 +469,28 @@ template <std::size_t Capacity> struct basic_report_joint_force_torques {
                 element<"joint", scaled<u32le, joint_torque>>>>;
     };
 };
+
+/// The messages of the subgroup, by command code.
+using manipulator_subgroup = message_list<
+    set_joint_efforts,
+    set_joint_positions,
+    set_joint_velocities,
+    set_tool_point,
+    set_end_effector_pose,
+    set_end_effector_velocity_state,
+    set_joint_motion,
+    set_end_effector_path_motion,
+    query_manipulator_specifications,
+    query_joint_efforts,
+    query_joint_positions,
+    query_joint_velocities,
+    query_tool_point,
+    query_joint_force_torques,
+    report_manipulator_specifications,
+    report_joint_efforts,
+    report_joint_positions,
+    report_joint_velocities,
+    report_tool_point,
+    report_joint_force_torques>;
 
 } // namespace jauscat::jaus

@@ -1,6 +1,7 @@
 // Payload subgroup of RA 3.3 part 3: a payload describes its own commands and measurements, then exchanges their
 // values.
 #pragma once
+#include <jauscat/schema/jaus/message_list.hpp>
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/wire/schema.hpp>
 
@@ -9,8 +10,6 @@
 // One line per field, as in the standard's tables.
 // clang-format off
 namespace jauscat::jaus {
-
-using namespace wire::items;
 
 /// Type Code of an interface: the type of its value.
 enum class payload_type : std::uint8_t {
@@ -44,7 +43,7 @@ template <class Integer> struct payload_tuple {
     Integer second{}; ///< any value
     friend constexpr bool operator==(const payload_tuple&, const payload_tuple&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = payload_tuple;
         using number = wire::integer<Integer, boost::endian::order::little>;
         using type = layout<field<&T::first, number>, field<&T::second, number>>;
@@ -56,7 +55,7 @@ struct payload_string {
     std::string_view value{}; ///< up to 65535 characters
     friend constexpr bool operator==(const payload_string&, const payload_string&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = payload_string;
         using type = layout<string<&T::value, count<"length", u16le>>>;
     };
@@ -72,7 +71,7 @@ struct payload_value {
         value{}; ///< as `type_code` says
     friend constexpr bool operator==(const payload_value&, const payload_value&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = payload_value;
         using type = layout<
             not_on_wire<&T::type_code>,
@@ -108,29 +107,29 @@ using payload_limit = std::variant<std::int16_t, std::int32_t, std::int64_t, std
                                    payload_tuple<std::uint16_t>, payload_tuple<std::uint32_t>>;
 
 /// A `payload_limit` member on the wire, laid out by the record's type code.
-template <auto Value, auto TypeCode> using payload_limit_item = selected<Value, by<TypeCode>,
-    when<payload_type::short_integer, i16le>,
-    when<payload_type::integer, i32le>,
-    when<payload_type::long_integer, i64le>,
-    when<payload_type::byte, u8>,
-    when<payload_type::unsigned_short_integer, u16le>,
-    when<payload_type::unsigned_integer, u32le>,
-    when<payload_type::unsigned_long_integer, u64le>,
-    when<payload_type::float_, f32le>,
-    when<payload_type::long_float, f64le>,
-    when<payload_type::scaled_byte, f32le>,
-    when<payload_type::scaled_short_integer, f32le>,
-    when<payload_type::scaled_unsigned_short_integer, f32le>,
-    when<payload_type::scaled_integer, f32le>,
-    when<payload_type::scaled_unsigned_integer, f32le>,
-    when<payload_type::scaled_long_integer, f32le>,
-    when<payload_type::scaled_unsigned_long_integer, f32le>,
-    when<payload_type::enumeration, u8>,
-    when<payload_type::boolean, u8>,
-    when<payload_type::string, u8>,
-    when<payload_type::byte_tuple, payload_tuple<std::uint8_t>>,
-    when<payload_type::unsigned_short_integer_tuple, payload_tuple<std::uint16_t>>,
-    when<payload_type::unsigned_integer_tuple, payload_tuple<std::uint32_t>>>;
+template <auto Value, auto TypeCode> using payload_limit_item = wire::selected<Value, wire::by<TypeCode>,
+    wire::when<payload_type::short_integer, wire::i16le>,
+    wire::when<payload_type::integer, wire::i32le>,
+    wire::when<payload_type::long_integer, wire::i64le>,
+    wire::when<payload_type::byte, wire::u8>,
+    wire::when<payload_type::unsigned_short_integer, wire::u16le>,
+    wire::when<payload_type::unsigned_integer, wire::u32le>,
+    wire::when<payload_type::unsigned_long_integer, wire::u64le>,
+    wire::when<payload_type::float_, wire::f32le>,
+    wire::when<payload_type::long_float, wire::f64le>,
+    wire::when<payload_type::scaled_byte, wire::f32le>,
+    wire::when<payload_type::scaled_short_integer, wire::f32le>,
+    wire::when<payload_type::scaled_unsigned_short_integer, wire::f32le>,
+    wire::when<payload_type::scaled_integer, wire::f32le>,
+    wire::when<payload_type::scaled_unsigned_integer, wire::f32le>,
+    wire::when<payload_type::scaled_long_integer, wire::f32le>,
+    wire::when<payload_type::scaled_unsigned_long_integer, wire::f32le>,
+    wire::when<payload_type::enumeration, wire::u8>,
+    wire::when<payload_type::boolean, wire::u8>,
+    wire::when<payload_type::string, wire::u8>,
+    wire::when<payload_type::byte_tuple, payload_tuple<std::uint8_t>>,
+    wire::when<payload_type::unsigned_short_integer_tuple, payload_tuple<std::uint16_t>>,
+    wire::when<payload_type::unsigned_integer_tuple, payload_tuple<std::uint32_t>>>;
 
 /// Blocking Flag of a command interface. Which value means which is uncertain.
 enum class payload_blocking_flag : std::uint8_t {
@@ -186,7 +185,7 @@ struct set_payload_data_element {
     wire::blob element{}; ///< for each: number of the command interface from 1 (1 byte), then a payload_value
     friend constexpr bool operator==(const set_payload_data_element&, const set_payload_data_element&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0D01;
         using T = set_payload_data_element;
         using type = layout<
@@ -200,7 +199,7 @@ struct set_payload_data_element {
 struct query_payload_interface {
     friend constexpr bool operator==(const query_payload_interface&, const query_payload_interface&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2D00;
         using report = struct report_payload_interface;
         using type = layout<>;
@@ -213,7 +212,7 @@ struct query_payload_data_element {
     wire::inline_list<std::uint8_t, 255> information_interface_number{}; ///< what is asked for, from 1
     friend constexpr bool operator==(const query_payload_data_element&, const query_payload_data_element&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2D01;
         using report = struct report_payload_data_element;
         using T = query_payload_data_element;
@@ -237,7 +236,7 @@ struct report_payload_interface {
     wire::list<payload_information_interface> information_interface{}; ///< numbered from 1
     friend constexpr bool operator==(const report_payload_interface&, const report_payload_interface&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4D00;
         using query = query_payload_interface;
         using T = report_payload_interface;
@@ -255,7 +254,7 @@ struct report_payload_interface {
     };
 };
 
-struct payload_command_interface::schema {
+struct payload_command_interface::schema : wire::items {
     using T = payload_command_interface;
     using M = report_payload_interface;
     using type = layout<
@@ -276,7 +275,7 @@ struct payload_command_interface::schema {
         gated_by<&M::hmi_recommended_height_present, field<&T::hmi_recommended_height, in_units<u16le, pixels>>>>;
 };
 
-struct payload_information_interface::schema {
+struct payload_information_interface::schema : wire::items {
     using T = payload_information_interface;
     using M = report_payload_interface;
     using type = layout<
@@ -304,7 +303,7 @@ struct report_payload_data_element {
     wire::blob element{}; ///< for each: number of the information interface from 1 (1 byte), then a payload_value
     friend constexpr bool operator==(const report_payload_data_element&, const report_payload_data_element&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4D01;
         using query = query_payload_data_element;
         using T = report_payload_data_element;
@@ -313,5 +312,13 @@ struct report_payload_data_element {
             bytes<&T::element, rest>>;
     };
 };
+
+/// The messages of the subgroup, by command code.
+using payload_subgroup = message_list<
+    set_payload_data_element,
+    query_payload_interface,
+    query_payload_data_element,
+    report_payload_interface,
+    report_payload_data_element>;
 
 } // namespace jauscat::jaus

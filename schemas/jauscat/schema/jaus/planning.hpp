@@ -1,13 +1,12 @@
 // Planning subgroup of RA 3.3 part 3: missions of JAUS messages that a Mission Spooler keeps and sends.
 #pragma once
 #include <jauscat/schema/jaus/header.hpp>
+#include <jauscat/schema/jaus/message_list.hpp>
 #include <jauscat/wire/schema.hpp>
 
 // One line per field, as in the standard's tables.
 // clang-format off
 namespace jauscat::jaus {
-
-using namespace wire::items;
 
 /// A whole JAUS message inside another. 16 bytes or more.
 struct embedded_message {
@@ -15,7 +14,7 @@ struct embedded_message {
     wire::blob body{};     ///< bytes of the body
     friend constexpr bool operator==(const embedded_message&, const embedded_message&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = embedded_message;
         using type = layout<
             nested<&T::header>,
@@ -30,7 +29,7 @@ struct mission_command {
     std::uint8_t blocking_flag{}; ///< 0: the next message may go at once, 1: it waits for this one
     friend constexpr bool operator==(const mission_command&, const mission_command&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = mission_command;
         static constexpr std::string_view field_name = "mission_message"; // of the record in each element of a group
         using type = layout<
@@ -49,7 +48,7 @@ struct mission_task {
     wire::list<mission_command> message{}; ///< the task's own messages, in the order of sending
     friend constexpr bool operator==(const mission_task&, const mission_task&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = mission_task;
         using type = layout<
             field<&T::task_id, u16le>,
@@ -73,7 +72,7 @@ struct spool_mission {
     wire::list<mission_task> mission_tree{}; ///< depth first: each task is followed by its children, left to right
     friend constexpr bool operator==(const spool_mission&, const spool_mission&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0E00;
         using T = spool_mission;
         using type = layout<
@@ -88,7 +87,7 @@ struct run_mission {
     std::uint16_t mission_id{}; ///< the mission to start
     friend constexpr bool operator==(const run_mission&, const run_mission&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0E01;
         using T = run_mission;
         using type = layout<field<&T::mission_id, u16le>>;
@@ -101,7 +100,7 @@ struct abort_mission {
     std::uint16_t task_id{};    ///< the task, 0 for the whole mission
     friend constexpr bool operator==(const abort_mission&, const abort_mission&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0E02;
         using T = abort_mission;
         using type = layout<
@@ -116,7 +115,7 @@ struct pause_mission {
     std::uint16_t task_id{};    ///< the task, 0 for the whole mission
     friend constexpr bool operator==(const pause_mission&, const pause_mission&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0E03;
         using T = pause_mission;
         using type = layout<
@@ -131,7 +130,7 @@ struct resume_mission {
     std::uint16_t task_id{};    ///< the task, 0 for the whole mission
     friend constexpr bool operator==(const resume_mission&, const resume_mission&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0E04;
         using T = resume_mission;
         using type = layout<
@@ -148,7 +147,7 @@ struct remove_messages {
     wire::list<std::uint16_t> message_uid{}; ///< the messages to remove
     friend constexpr bool operator==(const remove_messages&, const remove_messages&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0E05;
         using T = remove_messages;
         using type = layout<
@@ -167,7 +166,7 @@ struct replace_messages {
     wire::list<mission_command> inserted_message{}; ///< the messages to put in their place
     friend constexpr bool operator==(const replace_messages&, const replace_messages&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0E06;
         using T = replace_messages;
         using type = layout<
@@ -183,7 +182,7 @@ struct replace_messages {
 struct query_spooling_preference {
     friend constexpr bool operator==(const query_spooling_preference&, const query_spooling_preference&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2E00;
         using report = struct report_spooling_preference;
         using type = layout<>;
@@ -208,7 +207,7 @@ struct query_mission_status {
     std::uint16_t message_uid{};      ///< the message
     friend constexpr bool operator==(const query_mission_status&, const query_mission_status&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2E01;
         using report = struct report_mission_status;
         using T = query_mission_status;
@@ -235,7 +234,7 @@ struct report_spooling_preference {
     std::int32_t data{};                                       ///< messages, metres or seconds, by the type
     friend constexpr bool operator==(const report_spooling_preference&, const report_spooling_preference&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4E00;
         using query = query_spooling_preference;
         using T = report_spooling_preference;
@@ -272,7 +271,7 @@ struct report_mission_status {
     std::uint16_t message_uid{};                       ///< the message
     friend constexpr bool operator==(const report_mission_status&, const report_mission_status&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4E01;
         using query = query_mission_status;
         using T = report_mission_status;
@@ -285,5 +284,19 @@ struct report_mission_status {
             field<&T::message_uid, u16le>>;
     };
 };
+
+/// The messages of the subgroup, by command code.
+using planning_subgroup = message_list<
+    spool_mission,
+    run_mission,
+    abort_mission,
+    pause_mission,
+    resume_mission,
+    remove_messages,
+    replace_messages,
+    query_spooling_preference,
+    query_mission_status,
+    report_spooling_preference,
+    report_mission_status>;
 
 } // namespace jauscat::jaus

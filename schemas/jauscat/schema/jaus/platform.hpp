@@ -1,6 +1,7 @@
 // Platform subgroup of RA 3.3 part 3: wrench effort, velocity, discrete devices, vectors, poses, waypoints, path
 // segments.
 #pragma once
+#include <jauscat/schema/jaus/message_list.hpp>
 #include <jauscat/schema/jaus/time_stamp.hpp>
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/wire/schema.hpp>
@@ -8,8 +9,6 @@
 // One line per field, as in the standard's tables.
 // clang-format off
 namespace jauscat::jaus {
-
-using namespace wire::items;
 
 /// Set Velocity State: moves the platform at the given velocities.
 /// Code 0404h, command class, 2 to 30 bytes. Not in RA 3.3 but an experimental message of known peers.
@@ -25,7 +24,7 @@ struct set_velocity_state {
     std::optional<jaus::time_stamp> time_stamp{}; ///< time of the command
     friend constexpr bool operator==(const set_velocity_state&, const set_velocity_state&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0404;
         using T = set_velocity_state;
         using type = layout<
@@ -59,7 +58,7 @@ struct set_wrench_effort {
     std::optional<double> resistive_rotational_effort_z{};  ///< percent, 0 to 100
     friend constexpr bool operator==(const set_wrench_effort&, const set_wrench_effort&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0405;
         using T = set_wrench_effort;
         using type = layout<
@@ -117,7 +116,7 @@ struct set_discrete_devices {
     std::optional<jaus::transfer_case> transfer_case{};                                  ///< transfer case to engage
     friend constexpr bool operator==(const set_discrete_devices&, const set_discrete_devices&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0406;
         using T = set_discrete_devices;
         using type = layout<
@@ -139,7 +138,7 @@ struct set_global_vector {
     std::optional<double> desired_pitch{};     ///< radians, -pi to pi
     friend constexpr bool operator==(const set_global_vector&, const set_global_vector&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0407;
         using T = set_global_vector;
         using type = layout<
@@ -159,7 +158,7 @@ struct set_local_vector {
     double desired_heading{}; ///< radians, -pi to pi
     friend constexpr bool operator==(const set_local_vector&, const set_local_vector&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0408;
         using T = set_local_vector;
         using type = layout<
@@ -174,7 +173,7 @@ struct set_travel_speed {
     double desired_speed{}; ///< metres per second, 0 to 10000
     friend constexpr bool operator==(const set_travel_speed&, const set_travel_speed&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x040A;
         using T = set_travel_speed;
         using type = layout<field<&T::desired_speed, scaled<u16le, speed_limit>>>;
@@ -193,7 +192,7 @@ struct set_global_waypoint {
     std::optional<double> desired_yaw{};   ///< radians, -pi to pi
     friend constexpr bool operator==(const set_global_waypoint&, const set_global_waypoint&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x040C;
         using T = set_global_waypoint;
         using type = layout<
@@ -220,7 +219,7 @@ struct set_local_waypoint {
     std::optional<double> desired_yaw{};   ///< radians, -pi to pi
     friend constexpr bool operator==(const set_local_waypoint&, const set_local_waypoint&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x040D;
         using T = set_local_waypoint;
         using type = layout<
@@ -248,7 +247,7 @@ struct set_global_path_segment {
     double weighting_factor{};           ///< 0 to 500
     friend constexpr bool operator==(const set_global_path_segment&, const set_global_path_segment&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x040F;
         using T = set_global_path_segment;
         using type = layout<
@@ -277,7 +276,7 @@ struct set_local_path_segment {
     double weighting_factor{};           ///< 0 to 500
     friend constexpr bool operator==(const set_local_path_segment&, const set_local_path_segment&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0410;
         using T = set_local_path_segment;
         using type = layout<
@@ -300,7 +299,7 @@ struct query_platform_specifications {
     friend constexpr bool operator==(const query_platform_specifications&,
                                      const query_platform_specifications&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2400;
         using report = struct report_platform_specifications;
         using T = query_platform_specifications;
@@ -315,7 +314,7 @@ struct query_platform_operational_data {
     friend constexpr bool operator==(const query_platform_operational_data&,
                                      const query_platform_operational_data&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2401;
         using report = struct report_platform_operational_data;
         using T = query_platform_operational_data;
@@ -329,7 +328,7 @@ struct query_global_pose {
     std::uint16_t presence_vector{}; ///< the requested fields of Report Global Pose
     friend constexpr bool operator==(const query_global_pose&, const query_global_pose&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2402;
         using report = struct report_global_pose;
         using T = query_global_pose;
@@ -343,7 +342,7 @@ struct query_local_pose {
     std::uint16_t presence_vector{}; ///< the requested fields of Report Local Pose
     friend constexpr bool operator==(const query_local_pose&, const query_local_pose&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2403;
         using report = struct report_local_pose;
         using T = query_local_pose;
@@ -357,7 +356,7 @@ struct query_velocity_state {
     std::uint16_t presence_vector{}; ///< the requested fields of Report Velocity State
     friend constexpr bool operator==(const query_velocity_state&, const query_velocity_state&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2404;
         using report = struct report_velocity_state;
         using T = query_velocity_state;
@@ -371,7 +370,7 @@ struct query_wrench_effort {
     std::uint16_t presence_vector{}; ///< the requested fields of Report Wrench Effort
     friend constexpr bool operator==(const query_wrench_effort&, const query_wrench_effort&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2405;
         using report = struct report_wrench_effort;
         using T = query_wrench_effort;
@@ -385,7 +384,7 @@ struct query_discrete_devices {
     std::uint8_t presence_vector{}; ///< the requested fields of Report Discrete Devices
     friend constexpr bool operator==(const query_discrete_devices&, const query_discrete_devices&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2406;
         using report = struct report_discrete_devices;
         using T = query_discrete_devices;
@@ -399,7 +398,7 @@ struct query_global_vector {
     std::uint8_t presence_vector{}; ///< the requested fields of Report Global Vector
     friend constexpr bool operator==(const query_global_vector&, const query_global_vector&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2407;
         using report = struct report_global_vector;
         using T = query_global_vector;
@@ -412,7 +411,7 @@ struct query_global_vector {
 struct query_local_vector {
     friend constexpr bool operator==(const query_local_vector&, const query_local_vector&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2408;
         using report = struct report_local_vector;
         using type = layout<>;
@@ -424,7 +423,7 @@ struct query_local_vector {
 struct query_travel_speed {
     friend constexpr bool operator==(const query_travel_speed&, const query_travel_speed&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x240A;
         using report = struct report_travel_speed;
         using type = layout<>;
@@ -436,7 +435,7 @@ struct query_travel_speed {
 struct query_waypoint_count {
     friend constexpr bool operator==(const query_waypoint_count&, const query_waypoint_count&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x240B;
         using report = struct report_waypoint_count;
         using type = layout<>;
@@ -449,7 +448,7 @@ struct query_global_waypoint {
     std::uint16_t waypoint_number{}; ///< which waypoint
     friend constexpr bool operator==(const query_global_waypoint&, const query_global_waypoint&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x240C;
         using report = struct report_global_waypoint;
         using T = query_global_waypoint;
@@ -463,7 +462,7 @@ struct query_local_waypoint {
     std::uint16_t waypoint_number{}; ///< which waypoint
     friend constexpr bool operator==(const query_local_waypoint&, const query_local_waypoint&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x240D;
         using report = struct report_local_waypoint;
         using T = query_local_waypoint;
@@ -476,7 +475,7 @@ struct query_local_waypoint {
 struct query_path_segment_count {
     friend constexpr bool operator==(const query_path_segment_count&, const query_path_segment_count&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x240E;
         using report = struct report_path_segment_count;
         using type = layout<>;
@@ -490,7 +489,7 @@ struct query_global_path_segment {
     std::uint8_t presence_vector{};      ///< the requested fields of Report Global Path Segment
     friend constexpr bool operator==(const query_global_path_segment&, const query_global_path_segment&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x240F;
         using report = struct report_global_path_segment;
         using T = query_global_path_segment;
@@ -507,7 +506,7 @@ struct query_local_path_segment {
     std::uint8_t presence_vector{};      ///< the requested fields of Report Local Path Segment
     friend constexpr bool operator==(const query_local_path_segment&, const query_local_path_segment&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2410;
         using report = struct report_local_path_segment;
         using T = query_local_path_segment;
@@ -544,7 +543,7 @@ struct report_platform_specifications {
     friend constexpr bool operator==(const report_platform_specifications&,
                                      const report_platform_specifications&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4400;
         using query = query_platform_specifications;
         using T = report_platform_specifications;
@@ -585,7 +584,7 @@ struct report_platform_operational_data {
     friend constexpr bool operator==(const report_platform_operational_data&,
                                      const report_platform_operational_data&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4401;
         using query = query_platform_operational_data;
         using T = report_platform_operational_data;
@@ -614,7 +613,7 @@ struct report_global_pose {
     std::optional<jaus::time_stamp> time_stamp{}; ///< time of the measurement
     friend constexpr bool operator==(const report_global_pose&, const report_global_pose&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4402;
         using query = query_global_pose;
         using T = report_global_pose;
@@ -646,7 +645,7 @@ struct report_local_pose {
     std::optional<jaus::time_stamp> time_stamp{}; ///< time of the measurement
     friend constexpr bool operator==(const report_local_pose&, const report_local_pose&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4403;
         using query = query_local_pose;
         using T = report_local_pose;
@@ -679,7 +678,7 @@ struct report_velocity_state {
     std::optional<jaus::time_stamp> time_stamp{}; ///< time of the measurement
     friend constexpr bool operator==(const report_velocity_state&, const report_velocity_state&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4404;
         using query = query_velocity_state;
         using T = report_velocity_state;
@@ -714,7 +713,7 @@ struct report_wrench_effort {
     std::optional<double> resistive_rotational_effort_z{};  ///< percent, 0 to 100
     friend constexpr bool operator==(const report_wrench_effort&, const report_wrench_effort&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4405;
         using query = query_wrench_effort;
         using T = report_wrench_effort;
@@ -744,7 +743,7 @@ struct report_discrete_devices {
     std::optional<jaus::transfer_case> transfer_case{};                                  ///< transfer case engaged
     friend constexpr bool operator==(const report_discrete_devices&, const report_discrete_devices&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4406;
         using query = query_discrete_devices;
         using T = report_discrete_devices;
@@ -767,7 +766,7 @@ struct report_global_vector {
     std::optional<double> desired_pitch{};     ///< radians, -pi to pi
     friend constexpr bool operator==(const report_global_vector&, const report_global_vector&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4407;
         using query = query_global_vector;
         using T = report_global_vector;
@@ -788,7 +787,7 @@ struct report_local_vector {
     double desired_heading{}; ///< radians, -pi to pi
     friend constexpr bool operator==(const report_local_vector&, const report_local_vector&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4408;
         using query = query_local_vector;
         using T = report_local_vector;
@@ -804,7 +803,7 @@ struct report_travel_speed {
     double desired_speed{}; ///< metres per second, 0 to 10000
     friend constexpr bool operator==(const report_travel_speed&, const report_travel_speed&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x440A;
         using query = query_travel_speed;
         using T = report_travel_speed;
@@ -818,7 +817,7 @@ struct report_waypoint_count {
     std::uint16_t waypoint_count{}; ///< waypoints
     friend constexpr bool operator==(const report_waypoint_count&, const report_waypoint_count&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x440B;
         using query = query_waypoint_count;
         using T = report_waypoint_count;
@@ -838,7 +837,7 @@ struct report_global_waypoint {
     std::optional<double> desired_yaw{};   ///< radians, -pi to pi
     friend constexpr bool operator==(const report_global_waypoint&, const report_global_waypoint&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x440C;
         using query = query_global_waypoint;
         using T = report_global_waypoint;
@@ -866,7 +865,7 @@ struct report_local_waypoint {
     std::optional<double> desired_yaw{};   ///< radians, -pi to pi
     friend constexpr bool operator==(const report_local_waypoint&, const report_local_waypoint&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x440D;
         using query = query_local_waypoint;
         using T = report_local_waypoint;
@@ -888,7 +887,7 @@ struct report_path_segment_count {
     std::uint16_t path_segment_count{}; ///< path segments
     friend constexpr bool operator==(const report_path_segment_count&, const report_path_segment_count&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x440E;
         using query = query_path_segment_count;
         using T = report_path_segment_count;
@@ -909,7 +908,7 @@ struct report_global_path_segment {
     double weighting_factor{};           ///< 0 to 500
     friend constexpr bool operator==(const report_global_path_segment&, const report_global_path_segment&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x440F;
         using query = query_global_path_segment;
         using T = report_global_path_segment;
@@ -939,7 +938,7 @@ struct report_local_path_segment {
     double weighting_factor{};           ///< 0 to 500
     friend constexpr bool operator==(const report_local_path_segment&, const report_local_path_segment&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4410;
         using query = query_local_path_segment;
         using T = report_local_path_segment;
@@ -955,5 +954,50 @@ struct report_local_path_segment {
                 field<&T::weighting_factor, scaled<u16le, path_weight>>>>;
     };
 };
+
+/// The messages of the subgroup, by command code.
+using platform_subgroup = message_list<
+    set_velocity_state,
+    set_wrench_effort,
+    set_discrete_devices,
+    set_global_vector,
+    set_local_vector,
+    set_travel_speed,
+    set_global_waypoint,
+    set_local_waypoint,
+    set_global_path_segment,
+    set_local_path_segment,
+    query_platform_specifications,
+    query_platform_operational_data,
+    query_global_pose,
+    query_local_pose,
+    query_velocity_state,
+    query_wrench_effort,
+    query_discrete_devices,
+    query_global_vector,
+    query_local_vector,
+    query_travel_speed,
+    query_waypoint_count,
+    query_global_waypoint,
+    query_local_waypoint,
+    query_path_segment_count,
+    query_global_path_segment,
+    query_local_path_segment,
+    report_platform_specifications,
+    report_platform_operational_data,
+    report_global_pose,
+    report_local_pose,
+    report_velocity_state,
+    report_wrench_effort,
+    report_discrete_devices,
+    report_global_vector,
+    report_local_vector,
+    report_travel_speed,
+    report_waypoint_count,
+    report_global_waypoint,
+    report_local_waypoint,
+    report_path_segment_count,
+    report_global_path_segment,
+    report_local_path_segment>;
 
 } // namespace jauscat::jaus

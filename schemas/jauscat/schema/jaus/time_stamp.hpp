@@ -6,8 +6,6 @@
 // clang-format off
 namespace jauscat::jaus {
 
-using namespace wire::items;
-
 /// Time of day and day of the month. 4 bytes.
 struct time_stamp {
     std::uint16_t milliseconds{}; ///< 0 to 999
@@ -17,7 +15,7 @@ struct time_stamp {
     std::uint8_t day{};           ///< 1 to 31
     friend constexpr bool operator==(const time_stamp&, const time_stamp&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = time_stamp;
         using type = layout<
             bit_fields<u32le,
@@ -36,7 +34,7 @@ struct date_stamp {
     std::uint8_t year{};  ///< 0 to 127, counted from 2000
     friend constexpr bool operator==(const date_stamp&, const date_stamp&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = date_stamp;
         using type = layout<
             bit_fields<u16le,

@@ -9,8 +9,6 @@
 // clang-format off
 namespace jauscat::jaus {
 
-using namespace wire::items;
-
 /// Type of a typed value.
 enum class data_type : std::uint8_t {
     byte = 0,
@@ -33,7 +31,7 @@ struct rgb {
     std::uint8_t blue{};  ///< 0 to 255
     friend constexpr bool operator==(const rgb&, const rgb&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = rgb;
         using type = layout<
             field<&T::red, u8>,
@@ -50,7 +48,7 @@ struct typed_value {
         value{}; ///< as the type code says
     friend constexpr bool operator==(const typed_value&, const typed_value&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = typed_value;
         using type = layout<
             field<&T::data_type, enumeration<jaus::data_type, u8>>,

@@ -1,5 +1,6 @@
 // World Model subgroup of RA 3.3 part 3: objects of a vector knowledge store (VKS).
 #pragma once
+#include <jauscat/schema/jaus/message_list.hpp>
 #include <jauscat/schema/jaus/typed_value.hpp>
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/wire/schema.hpp>
@@ -7,8 +8,6 @@
 // One line per field, as in the standard's tables.
 // clang-format off
 namespace jauscat::jaus {
-
-using namespace wire::items;
 
 /// Object Type: what the points of an object are.
 enum class object_type : std::uint8_t {
@@ -30,7 +29,7 @@ struct vks_point {
     double longitude{}; ///< degrees (WGS 84), -180 to 180
     friend constexpr bool operator==(const vks_point&, const vks_point&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = vks_point;
         using type = layout<
             field<&T::latitude, scaled<i32le, latitude_range>>,
@@ -44,7 +43,7 @@ struct vks_feature_class {
     typed_value feature_class_attribute{}; ///< the object's value for that class
     friend constexpr bool operator==(const vks_feature_class&, const vks_feature_class&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = vks_feature_class;
         using type = layout<
             field<&T::feature_class_id, u16le>,
@@ -59,7 +58,7 @@ template <class Message> struct vks_feature_class_filter {
     std::optional<typed_value> feature_class_attribute{}; ///< the value that the objects have for that class
     friend constexpr bool operator==(const vks_feature_class_filter&, const vks_feature_class_filter&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = vks_feature_class_filter<Message>;
         using type = layout<
             gated_by<&Message::feature_class_id_present, field<&T::feature_class_id, u16le>>,
@@ -87,7 +86,7 @@ struct vks_object {
     wire::list<vks_point> point{};                 ///< where it is
     friend constexpr bool operator==(const vks_object&, const vks_object&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = vks_object;
         using type = layout<
             field<&T::object_id, u32le>,
@@ -113,7 +112,7 @@ struct create_vector_knowledge_store_objects {
     friend constexpr bool operator==(const create_vector_knowledge_store_objects&,
                                      const create_vector_knowledge_store_objects&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0A20;
         using T = create_vector_knowledge_store_objects;
         using type = layout<
@@ -125,7 +124,7 @@ struct create_vector_knowledge_store_objects {
     };
 };
 
-struct new_vks_object::schema {
+struct new_vks_object::schema : wire::items {
     using T = new_vks_object;
     using type = layout<
         field<&T::object_type, enumeration<jaus::object_type, u8>>,
@@ -152,7 +151,7 @@ struct set_vector_knowledge_store_feature_class_metadata {
     friend constexpr bool operator==(const set_vector_knowledge_store_feature_class_metadata&,
                                      const set_vector_knowledge_store_feature_class_metadata&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0A21;
         using T = set_vector_knowledge_store_feature_class_metadata;
         using type = layout<
@@ -167,7 +166,7 @@ struct terminate_vector_knowledge_store_data_transfer {
     friend constexpr bool operator==(const terminate_vector_knowledge_store_data_transfer&,
                                      const terminate_vector_knowledge_store_data_transfer&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0A24;
         using type = layout<>;
     };
@@ -188,7 +187,7 @@ struct delete_vector_knowledge_store_objects {
     friend constexpr bool operator==(const delete_vector_knowledge_store_objects&,
                                      const delete_vector_knowledge_store_objects&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0A25;
         using T = delete_vector_knowledge_store_objects;
         using type = layout<
@@ -211,7 +210,7 @@ struct query_vector_knowledge_store_feature_class_metadata {
     friend constexpr bool operator==(const query_vector_knowledge_store_feature_class_metadata&,
                                      const query_vector_knowledge_store_feature_class_metadata&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2A21;
         using report = struct report_vector_knowledge_store_feature_class_metadata;
         using T = query_vector_knowledge_store_feature_class_metadata;
@@ -227,7 +226,7 @@ struct query_vector_knowledge_store_bounds {
     friend constexpr bool operator==(const query_vector_knowledge_store_bounds&,
                                      const query_vector_knowledge_store_bounds&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2A22;
         using report = struct report_vector_knowledge_store_bounds;
         using T = query_vector_knowledge_store_bounds;
@@ -253,7 +252,7 @@ struct query_vector_knowledge_store_objects {
     friend constexpr bool operator==(const query_vector_knowledge_store_objects&,
                                      const query_vector_knowledge_store_objects&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2A23;
         using report = struct report_vector_knowledge_store_objects;
         using T = query_vector_knowledge_store_objects;
@@ -279,7 +278,7 @@ struct report_vector_knowledge_store_objects_creation {
     friend constexpr bool operator==(const report_vector_knowledge_store_objects_creation&,
                                      const report_vector_knowledge_store_objects_creation&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4A20;
         using T = report_vector_knowledge_store_objects_creation;
         using type = layout<
@@ -296,7 +295,7 @@ struct report_vector_knowledge_store_feature_class_metadata {
     friend constexpr bool operator==(const report_vector_knowledge_store_feature_class_metadata&,
                                      const report_vector_knowledge_store_feature_class_metadata&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4A21;
         using query = query_vector_knowledge_store_feature_class_metadata;
         using T = report_vector_knowledge_store_feature_class_metadata;
@@ -318,7 +317,7 @@ struct report_vector_knowledge_store_bounds {
     friend constexpr bool operator==(const report_vector_knowledge_store_bounds&,
                                      const report_vector_knowledge_store_bounds&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4A22;
         using query = query_vector_knowledge_store_bounds;
         using T = report_vector_knowledge_store_bounds;
@@ -342,7 +341,7 @@ struct report_vector_knowledge_store_objects {
     friend constexpr bool operator==(const report_vector_knowledge_store_objects&,
                                      const report_vector_knowledge_store_objects&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4A23;
         using query = query_vector_knowledge_store_objects;
         using T = report_vector_knowledge_store_objects;
@@ -359,10 +358,25 @@ struct report_vector_knowledge_store_data_transfer_termination {
     friend constexpr bool operator==(const report_vector_knowledge_store_data_transfer_termination&,
                                      const report_vector_knowledge_store_data_transfer_termination&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4A24;
         using type = layout<>;
     };
 };
+
+/// The messages of the subgroup, by command code.
+using world_model_subgroup = message_list<
+    create_vector_knowledge_store_objects,
+    set_vector_knowledge_store_feature_class_metadata,
+    terminate_vector_knowledge_store_data_transfer,
+    delete_vector_knowledge_store_objects,
+    query_vector_knowledge_store_feature_class_metadata,
+    query_vector_knowledge_store_bounds,
+    query_vector_knowledge_store_objects,
+    report_vector_knowledge_store_objects_creation,
+    report_vector_knowledge_store_feature_class_metadata,
+    report_vector_knowledge_store_bounds,
+    report_vector_knowledge_store_objects,
+    report_vector_knowledge_store_data_transfer_termination>;
 
 } // namespace jauscat::jaus

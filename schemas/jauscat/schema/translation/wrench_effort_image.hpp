@@ -8,8 +8,6 @@
 // clang-format off
 namespace jauscat::translation {
 
-using namespace wire::items;
-
 /// Twelve efforts as JAUS has them on the wire (-32767 to 32767 is -100 to 100 %, 0 to 255 is 0 to 100 %). 22 bytes.
 struct wrench_effort_image {
     /// Outputs: incremented by each command, 0 before the first. Inputs: that of the last command that the slave has
@@ -32,7 +30,7 @@ struct wrench_effort_image {
     std::uint8_t resistive_rotational_effort_z{};
     friend constexpr bool operator==(const wrench_effort_image&, const wrench_effort_image&) = default;
 
-    struct schema {
+    struct schema : wire::items {
         using T = wrench_effort_image;
         using type = layout<
             field<&T::command_count, u16le>,
