@@ -4,9 +4,14 @@ function(jauscat_add_compiled sources net)
     file(GLOB files CONFIGURE_DEPENDS ${sources}/*.cpp)
     add_library(jauscat_compiled STATIC EXCLUDE_FROM_ALL ${files})
     add_library(jauscat::compiled ALIAS jauscat_compiled)
-    set_target_properties(jauscat_compiled PROPERTIES UNITY_BUILD OFF) # each source takes up to half a gigabyte
-    # g++ frees memory earlier, as it does on a machine with little of it: a fifth less for the largest sources.
-    target_compile_options(jauscat_compiled PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=30>)
+    if(CMAKE_UNITY_BUILD)
+        # Half the time of a unit for each source, and a gigabyte for each of these.
+        set(JAUSCAT_COMPILED_BATCH_SIZE 6 CACHE STRING "Sources of jauscat::compiled that are compiled as one unit")
+        set_target_properties(jauscat_compiled PROPERTIES UNITY_BUILD_BATCH_SIZE ${JAUSCAT_COMPILED_BATCH_SIZE})
+    else()
+        # g++ frees memory earlier, as it does on a machine with little of it: half a gigabyte for the largest sources.
+        target_compile_options(jauscat_compiled PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=30>)
+    endif()
     target_compile_definitions(jauscat_compiled PUBLIC JAUSCAT_SEPARATE_COMPILATION)
     target_link_libraries(jauscat_compiled PUBLIC ${net})
 endfunction()

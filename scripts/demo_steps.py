@@ -23,7 +23,7 @@ set_wrench_effort = 0x0405
 set_joint_positions, report_joint_positions = 0x0602, 0x4602
 joints = ["waist", "shoulder", "elbow", "forearm", "wrist", "hand"]
 names = {"a": "ocu a", "c": "ocu c", "robot_controller": "controller", "robot_arm": "arm", "six": "controller",
-         "drives": "six drives", "operator": "operator"}
+         "drives": "six drives"}
 
 coloured = sys.stdout.isatty() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
 
@@ -245,7 +245,7 @@ class Demonstration:
             events = sorted(self.log.events[self.printed:], key=lambda event: event["time"])
             self.printed = len(self.log.events)
         colours = {"a": "cyan", "c": "magenta", "robot_controller": "yellow", "robot_arm": "green",
-                   "six": "yellow", "drives": "green", "operator": "cyan"}
+                   "six": "yellow", "drives": "green"}
         header_field = re.compile(r"  000[0-9a-e]  .{14}(priority|command_code|destination\.|source\.|data_size|sequence_number)")
         for event in events:
             lines = [line for line in event["text"].split("\n") if not header_field.match(line)]
@@ -444,13 +444,20 @@ class Demonstration:
 
         def joints_move():
             goal = [0.5, -0.5, 1.0, -1.0, 0.25, 0.1]
-            message = " ".join(f"joint[{i}].joint_position={angle}" for i, angle in enumerate(goal))
-            script = f"send 4.2.54.1 set_joint_positions {message}\n" + "wait 1\nsend 4.2.54.1 query_joint_positions\n" * 5 + "wait 1\nexit\n"
-            self.expect(self.start("operator", "communicator", "--this", "a", script=script).wait(), 0, "exit code of the operator")
-            reports = self.log.find("operator", "message_received", self.step_begin, code=report_joint_positions)
-            shown = positions_of(from_hexadecimal(reports[-1]["body"])) if reports else []
-            if len(shown) != len(goal) or any(abs(a - b) > 0.02 for a, b in zip(shown, goal)):
+            fields = [f"joint[{i}].joint_position={angle}" for i, angle in enumerate(goal)]
+            mover = self.hold("a", "--to", "4.2.54.1", "--send", "set_joint_positions", *fields)
+            shown, end = [], time.monotonic() + wait_limit
+
+            def are_there():
+                return len(shown) == len(goal) and all(abs(a - b) <= 0.02 for a, b in zip(shown, goal))
+
+            while not are_there() and time.monotonic() < end:
+                self.unit(0, "c", "--to", "4.2.54.1", "--send", "query_joint_positions")
+                reports = self.log.find("c", "message_received", self.step_begin, code=report_joint_positions)
+                shown = positions_of(from_hexadecimal(reports[-1]["body"])) if reports else []
+            if not are_there():
                 self.wrong(f"the joints are at {[round(each, 2) for each in shown]}, commanded was {goal}")
+            self.expect(mover.end(), 0, "exit code of unit a")
 
         def six_end():
             for program in self.programs:
@@ -478,7 +485,7 @@ class Demonstration:
         self.step("unit c queries: the report has what the arm executes", queries)
         self.step("the robot ends: the controller brings the arm to rest", ends)
         self.step("six drives on one ring: a controller finds each by its name", six_start)
-        self.step("an operator commands the positions of six joints, and the drives reach them", joints_move)
+        self.step("unit a commands the positions of six joints, and the drives reach them", joints_move)
         self.step("the controller brings the six drives to rest and ends", six_end)
 
 

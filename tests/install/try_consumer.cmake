@@ -47,13 +47,13 @@ else()
     run(${WORK}/build/version_consumer)
 endif()
 if(HOW STREQUAL find_package)
-    # Of the sources of jauscat::compiled and jauscat::catalogue the consumer compiles one each; the others are installed as
-    # they are here.
+    # Of the sources of jauscat::compiled and jauscat::catalogue the consumer compiles one each. All are installed as they
+    # are here.
     file(GLOB_RECURSE sources RELATIVE ${SOURCE}/src ${SOURCE}/src/*.cpp)
     foreach(source IN LISTS sources)
         run(${CMAKE_COMMAND} -E compare_files ${SOURCE}/src/${source} ${WORK}/prefix/share/jauscat/src/${source})
     endforeach()
-    run(${CMAKE_COMMAND} --build . --target catalogue_consumer compiled_consumer header_only_consumer)
+    run(${CMAKE_COMMAND} --build . --target installed_sources catalogue_consumer compiled_consumer header_only_consumer)
     run(${WORK}/build/catalogue_consumer)
     run(${WORK}/build/compiled_consumer)
     run(${WORK}/build/header_only_consumer)
