@@ -1,5 +1,5 @@
 // A bridge between an operator's node and actuators behind EtherCAT in UDP, all in this program.
-#include "../../tools/arrival_time.hpp"
+#include "app/emulated_bus.hpp"
 #include "bridge/actuator.hpp"
 #include "bridge/joint_part.hpp"
 #include "support/catch.hpp"
@@ -9,8 +9,6 @@
 #include <jauscat/app/component.hpp>
 #include <jauscat/app/own_table.hpp>
 #include <jauscat/bridge/observer.hpp>
-#include <jauscat/ethercat/slave/slave_tree.hpp>
-#include <jauscat/net/link/udp_link.hpp>
 #include <jauscat/net/now.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
@@ -40,87 +38,26 @@ using status = jaus::primary_status_code;
 
 namespace {
 
-/// Actuators of the nodes 2.2, 2.3, ... in one ring, in a thread.
-class actuator_ring {
+/// Actuators of the nodes 2.2, 2.3, ... in one ring.
+class actuator_bus : public jauscat::test::basic_emulated_bus<test::emulated_actuator> {
   public:
-    explicit actuator_ring(std::size_t count, ethercat::clock_width clock = ethercat::clock_width::no_clock)
-        : has_clocks_{clock != ethercat::clock_width::no_clock} {
-        for (std::size_t i = 0; i != count; ++i) {
-            all_.emplace_back(std::uint8_t{2}, static_cast<std::uint16_t>(2 + i), clock);
-            order_.push_back(i);
-        }
-        static_cast<void>(arrival_time(link_.native_handle()));
-        thread_ = std::thread{[this] { serve(); }};
-    }
-    ~actuator_ring() {
-        stop_ = true;
-        thread_.join();
-    }
-    actuator_ring(const actuator_ring&) = delete;
-    actuator_ring& operator=(const actuator_ring&) = delete;
+    explicit actuator_bus(std::size_t count, ethercat::clock_width clock = ethercat::clock_width::no_clock)
+        : basic_emulated_bus{[=](auto& made) {
+              for (std::size_t i = 0; i != count; ++i)
+                  made.emplace_back(std::uint8_t{2}, static_cast<std::uint16_t>(2 + i), clock);
+          }} {}
 
-    [[nodiscard]] std::string where() const { return "udp:127.0.0.1:" + std::to_string(port_); }
-    std::atomic<bool> is_silent{}, is_garbage{};
-    /// These alone are on the cable, in this order.
-    void connect(std::vector<std::size_t> order) {
-        const std::lock_guard lock{mutex_};
-        order_ = std::move(order);
-    }
-    auto with(std::size_t i, auto f) {
-        const std::lock_guard lock{mutex_};
-        return f(all_.at(i));
-    }
-    /// How far the system times of the first two are apart, in ns.
-    [[nodiscard]] std::int64_t spread() {
-        const std::lock_guard lock{mutex_};
-        const auto now = jauscat::net::now();
-        return std::abs(
-            static_cast<std::int64_t>(all_[0].slave.clock().system_time(now) - all_[1].slave.clock().system_time(now)));
-    }
     [[nodiscard]] double effort(std::size_t i = 0) {
         return with(i, [](auto& each) { return each.behind.effort; });
     }
-
-  private:
-    void serve() {
-        std::array<std::byte, ethercat::max_frame_size> buffer{};
-        while (!stop_) {
-            const auto size = link_.receive(buffer, is_idle_ ? 2ms : 0ms);
-            const auto at = size != 0 ? arrival_time(link_.native_handle()) : jauscat::net::now();
-            is_idle_ = size == 0;
-            const std::lock_guard lock{mutex_};
-            const auto frame = std::span{buffer}.first(size);
-            if (size != 0) pass(frame, at);
-            for (auto& each : all_) {
-                each.slave.pass_time(at);
-                each.work(jauscat::net::now());
-            }
-            if (is_garbage)
-                for (auto& byte : frame.subspan(std::min<std::size_t>(size, 16))) byte ^= std::byte{0x5A};
-            if (size != 0 && !is_silent) static_cast<void>(link_.send(frame));
-        }
+    /// How far the system times of the first two are apart, in ns.
+    [[nodiscard]] std::int64_t spread() {
+        return with_all([](auto& all) {
+            const auto now = jauscat::net::now();
+            return std::abs(static_cast<std::int64_t>(all[0].slave.clock().system_time(now) -
+                                                      all[1].slave.clock().system_time(now)));
+        });
     }
-
-    void pass(std::span<std::byte> frame, jauscat::time_point at) {
-        if (!has_clocks_) {
-            for (const auto i : order_) all_[i].pass(frame, jauscat::net::now());
-            return;
-        }
-        std::vector<ethercat::wired_slave> wires;
-        for (const auto i : order_)
-            wires.push_back(
-                {.device = &all_[i].slave, .parent = std::max(wires.size(), std::size_t{1}) - 1, .cable = 200ns});
-        ethercat::slave_tree{wires, 300ns}.pass(frame, at);
-    }
-
-    jauscat::net::udp_link link_{jauscat::net::udp_link::serve(0, "127.0.0.1")};
-    std::uint16_t port_{link_.port()};
-    std::mutex mutex_{};
-    std::deque<test::emulated_actuator> all_{};
-    std::vector<std::size_t> order_{};
-    bool has_clocks_{}, is_idle_{true};
-    std::atomic<bool> stop_{};
-    std::thread thread_{};
 };
 
 /// A file with an operator (1.1) and two controllers (2.2, 2.3).
@@ -207,7 +144,7 @@ struct bench {
 
     std::vector<std::string> lines{};
     configuration config{};
-    actuator_ring ring;
+    actuator_bus ring;
     asio::io_context context{1};
     jauscat::node operator_node{context, config.of("ocu", lines)};
     jauscat::component unit{operator_node, {.id = 32, .name = "operator"}};

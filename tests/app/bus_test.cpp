@@ -288,7 +288,7 @@ TEST_CASE("states are changed, refused and reported") {
     const auto drive = b.bus->slave(first);
     using enum ethercat::al_state;
     CHECK_FALSE(b.change(drive, safe_op));
-    b.ring.with(0, [](auto& each) { CHECK(each.device.state() == ethercat::al_state::safe_op); });
+    b.ring.with(0, [](auto& each) { CHECK(each.slave.state() == ethercat::al_state::safe_op); });
     CHECK(b.change(drive, op) == bus_errc::needs_cycles);
     CHECK_FALSE(b.change(drive, init));
     CHECK_FALSE(b.change(drive, safe_op)); // from INIT, through PRE-OP
@@ -305,8 +305,8 @@ TEST_CASE("a slave that leaves its state by itself is reported") {
     bench b;
     REQUIRE_FALSE(b.start());
     b.ring.with(1, [](auto& each) {
-        each.works = true;
-        each.device.power_on(); // it has lost its address, too
+        each.hangs = false;
+        each.slave.power_on(); // it has lost its address, too
     });
     REQUIRE(support::until(b.context, [&] { return !b.found.empty(); }));
     REQUIRE(b.lost.size() == 1);
@@ -362,8 +362,8 @@ TEST_CASE("a slave is not taken for another one that came to its place") {
     REQUIRE_FALSE(b.start());
     b.ring.with(1, [](auto& each) {
         each.description.product = 99;
-        std::destroy_at(&each.device);
-        std::construct_at(&each.device, each.description, each.all);
+        std::destroy_at(&each.slave);
+        std::construct_at(&each.slave, each.description, each.all);
     });
     REQUIRE(support::until(b.context, [&] { return b.has_line("still lost"); }));
     CHECK(b.found.empty());
@@ -406,7 +406,7 @@ TEST_CASE("a start without slaves, without answers and with garbage fails") {
     }
     SECTION("one slave that hangs") {
         bench b;
-        b.ring.with(1, [](auto& each) { each.works = false; });
+        b.ring.with(1, [](auto& each) { each.hangs = true; });
         CHECK(b.start() == bus_errc::not_configurable); // its SII does not answer
         CHECK(b.has_line("slave 1 is not brought up"));
         CHECK_FALSE(std::get<0>(b.read<std::uint32_t>(b.bus->slave({.position = 2}), 0x2000, 0)));
@@ -421,20 +421,20 @@ TEST_CASE("a start without slaves, without answers and with garbage fails") {
 TEST_CASE("a slave that is silent in its mailbox times out, and does not disturb the others") {
     bench b{three(), {.timeout = 300ms}};
     REQUIRE_FALSE(b.start());
-    b.ring.with(1, [](auto& each) { each.works = false; });
+    b.ring.with(1, [](auto& each) { each.hangs = true; });
     std::optional<error_code> error;
     const auto hanging = b.bus->slave({.position = 1});
     hanging.async_read<std::uint32_t>(0x2000, 0, [&](error_code why, std::uint32_t) { error = why; });
     CHECK_FALSE(std::get<0>(b.read<std::uint32_t>(b.bus->slave(first), 0x2000, 0)));
     CHECK(error == bus_errc::timed_out);
-    b.ring.with(1, [](auto& each) { each.works = true; });
+    b.ring.with(1, [](auto& each) { each.hangs = false; });
     CHECK_FALSE(std::get<0>(b.read<std::uint32_t>(hanging, 0x2000, 0)));
 }
 
 TEST_CASE("a slave that takes a request and never answers is reported") {
     bench b{three(), {.timeout = 10s}};
     REQUIRE_FALSE(b.start());
-    b.ring.with(1, [](auto& each) { each.works = false; });
+    b.ring.with(1, [](auto& each) { each.hangs = true; });
     const auto hanging = b.bus->slave({.position = 1});
     CHECK(std::get<0>(b.read<std::uint32_t>(hanging, 0x2000, 0)) == bus_errc::no_answer);
     CHECK(std::get<0>(b.read<std::uint32_t>(hanging, 0x2000, 0)) == bus_errc::not_taken);
@@ -498,7 +498,7 @@ TEST_CASE("a bus may end in its own callbacks, and with its io_context before it
         b.bus.reset();
         has_ended = true;
     });
-    b.ring.with(0, [](auto& each) { each.device.power_on(); });
+    b.ring.with(0, [](auto& each) { each.slave.power_on(); });
     CHECK(support::until(b.context, [&] { return has_ended; }));
 
     std::optional<slave> handle;

@@ -1,4 +1,5 @@
 // Faults of drives behind a bridge: the log, the application's functions and the status of the component.
+#include "app/emulated_bus.hpp"
 #include "support/catch.hpp"
 #include "support/free_ports.hpp"
 #include "support/until.hpp"
@@ -10,22 +11,18 @@
 #include <jauscat/ethercat/cia402/emulated_drive.hpp>
 #include <jauscat/ethercat/cia402/error_text.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
-#include <jauscat/net/link/udp_link.hpp>
 #include <jauscat/net/now.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 using namespace std::chrono_literals;
@@ -43,53 +40,30 @@ namespace {
 constexpr std::size_t drive_count = 2;
 constexpr jaus::address arm{.instance = 1, .component = 54, .node = 1, .subsystem = 2};
 
-/// Drives on a bus, in a thread.
-class drive_bus {
-  public:
-    drive_bus() : thread_{[this] { serve(); }} {}
-    ~drive_bus() {
-        stop_ = true;
-        thread_.join();
-    }
-    drive_bus(const drive_bus&) = delete;
-    drive_bus& operator=(const drive_bus&) = delete;
+struct emulated_joint {
+    cia402::emulated_drive<> drive{};
+    ethercat::standard_objects objects{cia402::drive_description<>, drive};
+    ethercat::slave slave{cia402::drive_description<>, objects};
 
-    [[nodiscard]] std::string where() const { return "udp:127.0.0.1:" + std::to_string(port_); }
-    void with(std::size_t i, auto f) {
-        const std::lock_guard lock{mutex_};
-        f(all_.at(i));
+    static bool has_clock() { return false; }
+    void work(std::span<std::byte>, jauscat::time_point now) { on_time(now); }
+    void on_time(jauscat::time_point now) {
+        slave.work();
+        slave.on_time(now);
+        drive.work(slave, now);
     }
+};
+
+class drive_bus : public jauscat::test::basic_emulated_bus<emulated_joint> {
+  public:
+    drive_bus()
+        : basic_emulated_bus{[](auto& made) {
+              while (made.size() != drive_count) made.emplace_back();
+          }} {}
+
     void set_fault(std::size_t i, std::uint16_t code) {
         with(i, [&](auto& each) { each.drive.axes[0].disturbed.fault = code; });
     }
-
-  private:
-    struct device {
-        cia402::emulated_drive<> drive{};
-        ethercat::standard_objects objects{cia402::drive_description<>, drive};
-        ethercat::slave slave{cia402::drive_description<>, objects};
-    };
-    void serve() {
-        std::array<std::byte, ethercat::max_frame_size> frame{};
-        while (!stop_) {
-            const auto size = link_.receive(frame, 1ms);
-            const auto now = jauscat::net::now();
-            const std::lock_guard lock{mutex_};
-            for (auto& each : all_) {
-                each.slave.process(std::span{frame}.first(size));
-                each.slave.on_time(now);
-                each.drive.work(each.slave, now);
-            }
-            if (size != 0) static_cast<void>(link_.send(std::span{frame}.first(size)));
-        }
-    }
-
-    jauscat::net::udp_link link_{jauscat::net::udp_link::serve(0, "127.0.0.1")};
-    std::uint16_t port_{link_.port()};
-    std::mutex mutex_{};
-    std::array<device, drive_count> all_{};
-    std::atomic<bool> stop_{};
-    std::thread thread_;
 };
 
 /// A file with one system.

@@ -1,5 +1,5 @@
-// Emulated slaves behind EtherCAT in UDP, in a thread of their own: for tests of programs with a bus. They can be made
-// to fail.
+// Emulated slaves behind EtherCAT in UDP or on an interface, in a thread: for tests of programs with a bus. They can be
+// made to fail.
 #pragma once
 
 #include "../../tools/arrival_time.hpp"
@@ -36,11 +36,20 @@ namespace jauscat::test {
 struct emulated_slave {
     emulated_slave(const ethercat::slave_description& d, bool is_described)
         : description{d},
-          device{description,
-                 is_described ? ethercat::object_dictionary{described} : ethercat::object_dictionary{all},
-                 {.transfer_memory = segments}} {}
+          slave{description,
+                is_described ? ethercat::object_dictionary{described} : ethercat::object_dictionary{all},
+                {.transfer_memory = segments}} {}
     emulated_slave(const emulated_slave&) = delete;
     emulated_slave& operator=(const emulated_slave&) = delete;
+
+    /// After each frame that reaches it; `frame` returns to the master.
+    void work(std::span<std::byte> frame, time_point) {
+        if (!hangs) slave.work();
+        if (!hangs && application) application(slave);
+        if (mail) put_mail(frame);
+    }
+    void on_time(time_point now) { slave.on_time(now); }
+    [[nodiscard]] bool has_clock() const { return description.clock != ethercat::clock_width::no_clock; }
 
     ethercat::slave_description description;
     objects own{};
@@ -48,29 +57,48 @@ struct emulated_slave {
     ethercat::standard_objects all{description, own};
     ethercat::standard_objects described{description, other};
     std::array<std::byte, 2048> segments{};
-    ethercat::slave device;
+    ethercat::slave slave;
     std::function<void(ethercat::slave&)> application{};
-    bool works{true};                   ///< else its application hangs: the controller alone works
+    bool hangs{};                       ///< its application: the controller alone works
     std::optional<std::uint8_t> mail{}; ///< an emergency of this error register waits
+
+  private:
+    // The emulated slave sends no emergencies by itself.
+    void put_mail(std::span<std::byte> frame) {
+        ethercat::mutable_frame_view view;
+        if (!view.parse(frame)) return;
+        const auto status = ethercat::sync_manager_handshake_of(1);
+        for (const auto datagram : view) {
+            if (datagram.header.cmd != ethercat::command::fprd || datagram.header.adp != slave.station_address())
+                continue;
+            if (datagram.header.ado == status.address && datagram.working_counter == 1) {
+                auto mailbox = datagram.value(status);
+                mailbox.full = true;
+                static_cast<void>(wire::encode(mailbox, datagram.data));
+            }
+            if (datagram.header.ado != description.mailbox_in_offset || datagram.working_counter != 0) continue;
+            static constexpr std::array<unsigned char, 16> emergency{0x0A, 0,    0, 0, 0, 0x33, 0, 0x10,
+                                                                     0x30, 0x42, 0, 1, 2, 3,    4, 5};
+            std::ranges::transform(emergency, datagram.data.begin(), [](auto b) { return std::byte{b}; });
+            datagram.data[10] = std::byte{*mail};
+            static_cast<void>(wire::encode(ethercat::datagram_trailer{1}, datagram.bytes.last(2)));
+            mail.reset();
+            return;
+        }
+    }
 };
 
-/// Runs until it is destroyed. Change slaves by `with` alone. Slaves with distributed clocks see cables of 200 ns.
-class emulated_bus {
+/// Slaves behind a link, in a thread, until it is destroyed. Change them by `with` alone. Slaves with distributed
+/// clocks have cables of 200 ns. A `Slave` has a member `slave`, `has_clock()`, `work(frame, now)` after each frame
+/// that reaches it, and `on_time(now)`.
+template <class Slave> class basic_emulated_bus {
   public:
-    using bytes = std::vector<std::byte>;
-
-    explicit emulated_bus(const std::vector<ethercat::slave_description>& slaves, bool are_described = false)
-        : emulated_bus{slaves, are_described, udp_end()} {}
-    /// At the end `interface` of a cable with the other end `where`.
-    emulated_bus(const std::vector<ethercat::slave_description>& slaves, const std::string& interface,
-                 std::string where)
-        : emulated_bus{slaves, false, slaves_end{net::open_link(interface), std::move(where)}} {}
-    ~emulated_bus() {
+    ~basic_emulated_bus() {
         stop_ = true;
         thread_.join();
     }
-    emulated_bus(const emulated_bus&) = delete;
-    emulated_bus& operator=(const emulated_bus&) = delete;
+    basic_emulated_bus(const basic_emulated_bus&) = delete;
+    basic_emulated_bus& operator=(const basic_emulated_bus&) = delete;
 
     /// For a bus.
     [[nodiscard]] const std::string& where() const { return where_; }
@@ -94,12 +122,17 @@ class emulated_bus {
     }
     [[nodiscard]] unsigned frames() const noexcept { return frames_; }
 
-    void with(std::size_t slave, const std::function<void(emulated_slave&)>& f) {
+    auto with(std::size_t i, auto&& f) {
         const std::lock_guard lock{mutex_};
-        f(slaves_.at(slave));
+        return f(slaves_.at(i));
+    }
+    /// `f(std::deque<Slave>&)`.
+    auto with_all(auto&& f) {
+        const std::lock_guard lock{mutex_};
+        return f(slaves_);
     }
 
-  private:
+  protected:
     /// A link, and where a bus finds it.
     struct slaves_end {
         std::unique_ptr<net::any_link> link;
@@ -110,21 +143,22 @@ class emulated_bus {
         auto where = "udp:127.0.0.1:" + std::to_string(link.port());
         return {std::make_unique<net::held_link<net::udp_link>>(std::move(link)), std::move(where)};
     }
-    emulated_bus(const std::vector<ethercat::slave_description>& slaves, bool are_described, slaves_end end)
+    /// `fill(std::deque<Slave>&)` makes the slaves.
+    explicit basic_emulated_bus(auto&& fill, slaves_end end = udp_end())
         : link_{std::move(end.link)}, where_{std::move(end.where)} {
-        for (const auto& each : slaves) {
-            order_.push_back(slaves_.size());
-            slaves_.emplace_back(each, are_described);
-        }
+        fill(slaves_);
+        for (std::size_t i = 0; i != slaves_.size(); ++i) order_.push_back(i);
         reach_ = slaves_.size();
         static_cast<void>(arrival_time(link_->native_handle()));
         thread_ = std::thread{[this] { serve(); }};
     }
+
+  private:
     void serve() {
         std::array<std::byte, ethercat::max_frame_size> buffer{};
         while (!stop_) {
             // Frames that wait came before now: the slaves' clocks do not pass them.
-            const auto size = link_->receive(buffer, std::chrono::milliseconds{is_idle_ ? 5 : 0});
+            const auto size = link_->receive(buffer, std::chrono::milliseconds{is_idle_ ? 2 : 0});
             const auto at = size != 0 ? arrival_time(link_->native_handle()) : net::now();
             is_idle_ = size == 0;
             const std::lock_guard lock{mutex_};
@@ -133,64 +167,37 @@ class emulated_bus {
                 pass(std::span{buffer}.first(size), at);
             }
             for (auto& each : slaves_) {
-                each.device.pass_time(at);
-                each.device.on_time(net::now());
+                each.slave.pass_time(at);
+                each.on_time(net::now());
             }
         }
     }
     void pass(std::span<std::byte> frame, time_point at) {
         const std::size_t reached = reach_;
-        const bool have_clocks = std::ranges::any_of(slaves_, [](const emulated_slave& each) {
-            return each.description.clock != ethercat::clock_width::no_clock;
-        });
+        const bool have_clocks = std::ranges::any_of(slaves_, [](const Slave& each) { return each.has_clock(); });
         if (have_clocks) {
             std::vector<ethercat::wired_slave> wires;
             for (std::size_t i = 0; i != reached; ++i)
-                wires.push_back({.device = &slaves_[order_[i]].device,
+                wires.push_back({.device = &slaves_[order_[i]].slave,
                                  .parent = i == 0 ? 0 : i - 1,
                                  .cable = std::chrono::nanoseconds{200}});
             ethercat::slave_tree{wires, std::chrono::nanoseconds{300}}.pass(frame, at);
         }
         for (std::size_t i = 0; i != reached; ++i) {
             auto& each = slaves_[order_[i]];
-            if (!have_clocks) each.device.pass(frame);
-            if (each.works) each.device.work();
-            if (each.works && each.application) each.application(each.device);
-            if (each.mail) put_mail(each, frame);
+            if (!have_clocks) each.slave.pass(frame);
+            each.work(frame, net::now());
         }
         if (on_way_back_) on_way_back_(frame);
         if (is_garbage)
-            for (auto& each : frame.subspan(16)) each ^= std::byte{0x5A};
+            for (auto& each : frame.subspan(std::min<std::size_t>(frame.size(), 16))) each ^= std::byte{0x5A};
         if (!is_silent) static_cast<void>(link_->send(frame));
-    }
-    // The emulated slave sends no emergencies by itself.
-    static void put_mail(emulated_slave& of, std::span<std::byte> frame) {
-        ethercat::mutable_frame_view view;
-        if (!view.parse(frame)) return;
-        const auto status = ethercat::sync_manager_handshake_of(1);
-        for (const auto datagram : view) {
-            if (datagram.header.cmd != ethercat::command::fprd || datagram.header.adp != of.device.station_address())
-                continue;
-            if (datagram.header.ado == status.address && datagram.working_counter == 1) {
-                auto mailbox = datagram.value(status);
-                mailbox.full = true;
-                static_cast<void>(wire::encode(mailbox, datagram.data));
-            }
-            if (datagram.header.ado != of.description.mailbox_in_offset || datagram.working_counter != 0) continue;
-            static constexpr std::array<unsigned char, 16> emergency{0x0A, 0,    0, 0, 0, 0x33, 0, 0x10,
-                                                                     0x30, 0x42, 0, 1, 2, 3,    4, 5};
-            std::ranges::transform(emergency, datagram.data.begin(), [](auto b) { return std::byte{b}; });
-            datagram.data[10] = std::byte{*of.mail};
-            static_cast<void>(wire::encode(ethercat::datagram_trailer{1}, datagram.bytes.last(2)));
-            of.mail.reset();
-            return;
-        }
     }
 
     std::unique_ptr<net::any_link> link_;
     std::string where_;
     std::mutex mutex_{};
-    std::deque<emulated_slave> slaves_{};
+    std::deque<Slave> slaves_{};
     std::function<void(std::span<std::byte>)> on_way_back_{};
     std::vector<std::size_t> order_{};
     std::atomic<std::size_t> reach_{};
@@ -198,6 +205,26 @@ class emulated_bus {
     std::atomic<bool> stop_{};
     bool is_idle_{true};
     std::thread thread_{};
+};
+
+/// Makes slaves of their descriptions.
+inline auto filled_with(const std::vector<ethercat::slave_description>& slaves, bool are_described) {
+    return [&slaves, are_described](std::deque<emulated_slave>& made) {
+        for (const auto& each : slaves) made.emplace_back(each, are_described);
+    };
+}
+
+/// Slaves with objects of their own.
+class emulated_bus : public basic_emulated_bus<emulated_slave> {
+  public:
+    using bytes = std::vector<std::byte>;
+
+    explicit emulated_bus(const std::vector<ethercat::slave_description>& slaves, bool are_described = false)
+        : basic_emulated_bus{filled_with(slaves, are_described)} {}
+    /// At the end `interface` of a cable with the other end `where`.
+    emulated_bus(const std::vector<ethercat::slave_description>& slaves, const std::string& interface,
+                 std::string where)
+        : basic_emulated_bus{filled_with(slaves, false), slaves_end{net::open_link(interface), std::move(where)}} {}
 };
 
 } // namespace jauscat::test

@@ -221,7 +221,7 @@ TEST_CASE("a slave that lost its power gets its start-up objects again") {
     bench b;
     REQUIRE_FALSE(b.start());
     b.ring.with(1, [](auto& each) {
-        each.device.power_on();
+        each.slave.power_on();
         each.own.entries.at({0x2001, std::uint8_t{1}}).value[0] = {};
     });
     REQUIRE(b.until([&] { return b.found.size() == 1; }));
@@ -238,7 +238,7 @@ TEST_CASE("slaves whose cables were exchanged are not taken for one another") {
         REQUIRE_FALSE(b.start());
         b.ring.connect({2});
         REQUIRE(b.until([&] { return b.lost.size() == 2; }));
-        b.ring.with(0, [](auto& each) { each.device.power_on(); });
+        b.ring.with(0, [](auto& each) { each.slave.power_on(); });
         b.ring.connect({1, 0, 2});
         REQUIRE(b.until([&] { return b.found.size() == 2; }));
         CHECK(b.alias_of("shoulder").first == 17);
@@ -277,7 +277,7 @@ TEST_CASE("a slave in operation that is lost operates again at another place") {
     b.ring.connect({0, 2});
     const auto is_elbow = [](const auto& each) { return each.first == "elbow"; };
     REQUIRE(b.until([&] { return std::ranges::any_of(b.lost, is_elbow) && !elbow.is_operating(); }));
-    b.ring.with(1, [](auto& each) { each.device.power_on(); });
+    b.ring.with(1, [](auto& each) { each.slave.power_on(); });
     b.ring.connect({1, 0, 2});
     REQUIRE(b.until([&] { return std::ranges::any_of(b.found, is_elbow); }));
     CHECK(elbow.info().position == 0);

@@ -72,12 +72,12 @@ struct bench {
     /// What the slave has as its outputs.
     unsigned output(std::size_t i) {
         unsigned value{};
-        ring.with(i, [&](auto& each) { value = std::to_integer<unsigned>(each.device.outputs()[0]); });
+        ring.with(i, [&](auto& each) { value = std::to_integer<unsigned>(each.slave.outputs()[0]); });
         return value;
     }
     ethercat::al_state state(std::size_t i) {
         ethercat::al_state now{};
-        ring.with(i, [&](auto& each) { now = each.device.state(); });
+        ring.with(i, [&](auto& each) { now = each.slave.state(); });
         return now;
     }
     /// A bus with a thread wakes nobody here.
@@ -176,7 +176,7 @@ TEST_CASE("a slave that leaves its operation is reported, and comes to OP only i
     REQUIRE_FALSE(b.operate(right));
     REQUIRE(b.until([&] { return b.output(0) == 7 && b.output(1) == 7; }));
     SECTION("it is reset") {
-        b.ring.with(0, [](auto& each) { each.device.power_on(); });
+        b.ring.with(0, [](auto& each) { each.slave.power_on(); });
         REQUIRE(b.until([&] { return b.lost.size() == 1; }));
         CHECK(b.lost[0] == std::pair{std::uint16_t{0}, error_code{bus_errc::slave_lost}});
         CHECK(right.is_operating());
@@ -236,8 +236,8 @@ TEST_CASE("slaves with SYNC signals reach OP in real time, and end at rest") {
     auto narrow = drive;
     narrow.clock = ethercat::clock_width::bits_32;
     bench b{thread, {drive, plain, narrow}};
-    b.ring.with(0, [](auto& each) { each.device.set_clock_error({.drift = 90'000, .start = 1'000'000'000}); });
-    b.ring.with(2, [](auto& each) { each.device.set_clock_error({.drift = -70'000, .start = 3'000'000'000}); });
+    b.ring.with(0, [](auto& each) { each.slave.set_clock_error({.drift = 90'000, .start = 1'000'000'000}); });
+    b.ring.with(2, [](auto& each) { each.slave.set_clock_error({.drift = -70'000, .start = 3'000'000'000}); });
     REQUIRE_FALSE(b.start());
     const std::array drives{b.bus->slave({.position = 0}), b.bus->slave({.position = 2})};
     b.bus->every_cycle([drives] {
@@ -256,15 +256,15 @@ TEST_CASE("slaves with SYNC signals reach OP in real time, and end at rest") {
     for (const std::size_t i : {std::size_t{0}, std::size_t{2}}) {
         const auto signals = [&] {
             std::uint64_t count{};
-            b.ring.with(i, [&](auto& each) { count = each.device.sync0_count(); });
+            b.ring.with(i, [&](auto& each) { count = each.slave.sync0_count(); });
             return count;
         };
         CHECK(b.state(i) == ethercat::al_state::op);
         b.ring.with(i, [](auto& each) {
-            CHECK(each.device.clock().activation().on);
-            CHECK(each.device.clock().activation().sync0);
-            CHECK(each.device.synchronization().type == ethercat::sync_type::sync0);
-            CHECK(each.device.synchronization().sync0_cycle == 5'000'000);
+            CHECK(each.slave.clock().activation().on);
+            CHECK(each.slave.clock().activation().sync0);
+            CHECK(each.slave.synchronization().type == ethercat::sync_type::sync0);
+            CHECK(each.slave.synchronization().sync0_cycle == 5'000'000);
         });
         REQUIRE(b.until([&, before = signals()] { return signals() > before + 20; }));
         REQUIRE(b.until([&] { return b.output(i) == 42; }));
@@ -272,8 +272,8 @@ TEST_CASE("slaves with SYNC signals reach OP in real time, and end at rest") {
     CHECK(b.state(1) == ethercat::al_state::pre_op);
     std::array<std::uint64_t, 2> times{};
     const auto now = net::now() + 10ms; // both have the same one
-    b.ring.with(0, [&](auto& each) { times[0] = each.device.clock().system_time(now) & 0xFFFF'FFFF; });
-    b.ring.with(2, [&](auto& each) { times[1] = each.device.clock().system_time(now) & 0xFFFF'FFFF; });
+    b.ring.with(0, [&](auto& each) { times[0] = each.slave.clock().system_time(now) & 0xFFFF'FFFF; });
+    b.ring.with(2, [&](auto& each) { times[1] = each.slave.clock().system_time(now) & 0xFFFF'FFFF; });
     CHECK(std::abs(static_cast<std::int32_t>(static_cast<std::uint32_t>(times[0] - times[1]))) < 1'000);
 
     b.bus->stop();

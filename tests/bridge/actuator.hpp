@@ -164,14 +164,17 @@ class emulated_actuator {
     /// A frame passes.
     void pass(std::span<std::byte> frame, jauscat::time_point now) {
         slave.pass(frame);
-        work(now);
+        on_time(now);
     }
-    void work(jauscat::time_point now) {
+    /// After each frame, and in between.
+    void work(std::span<std::byte>, jauscat::time_point now) { on_time(now); }
+    void on_time(jauscat::time_point now) {
         slave.on_time(now);
         if (hangs) return;
         slave.work();
         behind.work(slave);
     }
+    [[nodiscard]] bool has_clock() const { return clock_ != ethercat::clock_width::no_clock; }
     void power_cycle() {
         slave.power_on();
         behind.reset();

@@ -82,7 +82,7 @@ TEST_CASE("slaves with SYNC signals operate once their clocks and the cycles fol
     CHECK(r.actuators[5].slave.sync0_count() - before >= 99);
     CHECK(bench.missed() == missed);
     CHECK(bench.spread() < 100);
-    r.run_until([&, number = r.drive(50, 3)] { return r.is_acknowledged(number); }, 100ms);
+    r.run_until_acknowledged(r.drive(50, 3), 100ms);
     CHECK(r.watcher.agreements.empty());
 }
 

@@ -42,9 +42,7 @@ TEST_CASE("a frame that is delayed by the process data is requested after them")
 }
 
 TEST_CASE("a query is answered from fresh inputs, and refused without a link") {
-    rig r{1, true};
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    rig r{rig::driving{.percent = 50, .cyclic = true}};
     r.run(20ms);
     r.tell(jaus::query_wrench_effort{.presence_vector = 1}, 0, ack_nak::none);
     REQUIRE(r.received<jaus::report_wrench_effort>().size() == 1);
@@ -58,9 +56,7 @@ TEST_CASE("a query is answered from fresh inputs, and refused without a link") {
 }
 
 TEST_CASE("a silent slave counts as lost within the time limit, and the bridge continues to accept messages") {
-    rig r{1, true};
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    rig r{rig::driving{.percent = 50, .cyclic = true}};
     r.cable_is_out = true;
     const auto took = r.run_until([&] { return r.unit().state() == status::failure; });
     CHECK(took <= 50ms + 2 * r.options.period);
@@ -94,9 +90,7 @@ TEST_CASE("a slave is not lost by a pause of the program, and its inputs from be
 }
 
 TEST_CASE("a slave that is polled every 5 ms detects missing outputs within the limit") {
-    rig r{1, true};
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    rig r{rig::driving{.percent = 50, .cyclic = true}};
     r.run_until([&, before = r.frames] { return r.frames != before; });
     r.cable_is_out = true;
     r.run(bridging::at_rest_in_cycles - 5ms);
@@ -104,9 +98,7 @@ TEST_CASE("a slave that is polled every 5 ms detects missing outputs within the 
 }
 
 TEST_CASE("a slave that leaves OP counts as lost within two cycles") {
-    rig r{1, true};
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    rig r{rig::driving{.percent = 50, .cyclic = true}};
     std::array<std::byte, 64> frame{};
     ethercat::frame_builder build{frame, 77};
     build.add(ethercat::command::fpwr, 2, ethercat::esc_registers::al_control.address,
@@ -195,9 +187,7 @@ TEST_CASE("a slave whose station address goes to another one while it is brought
 }
 
 TEST_CASE("Standby by process data is acknowledged when the inputs confirm it") {
-    rig r{1, true};
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    rig r{rig::driving{.percent = 50, .cyclic = true}};
     const auto number = r.tell(jaus::standby{});
     CHECK(!r.answer(number));
     const auto took = r.run_until([&] { return r.is_acknowledged(number); });
@@ -206,9 +196,7 @@ TEST_CASE("Standby by process data is acknowledged when the inputs confirm it") 
 }
 
 TEST_CASE("an emergency of a cyclic slave is sent by mailbox, and its outputs are set to zero") {
-    rig r{1, true};
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    rig r{rig::driving{.percent = 50, .cyclic = true}};
     const auto number = r.tell(rig::stop());
     const auto took = r.run_until([&] { return r.motor().effort == 0; });
     CHECK(took <= 100ms);
@@ -276,8 +264,8 @@ TEST_CASE("answering a query from the inputs does not change the bytes of a runn
 TEST_CASE("the loss of one cyclic slave does not stop the process data of another") {
     rig r{2, true};
     r.run_until_ready();
-    r.run_until([&, number = r.drive(50, 0)] { return r.is_acknowledged(number); });
-    r.run_until([&, number = r.drive(40, 1)] { return r.is_acknowledged(number); });
+    r.run_until_acknowledged(r.drive(50, 0));
+    r.run_until_acknowledged(r.drive(40, 1));
     r.actuators[1].power_cycle();
     r.run_until([&] { return r.watcher.lost == 1; });
     CHECK(r.motor(0).effort == Approx(50).margin(0.01));
@@ -290,9 +278,7 @@ TEST_CASE("the loss of one cyclic slave does not stop the process data of anothe
 }
 
 TEST_CASE("a process-data command that arrives before a stop order is confirmed waits, and is not sent by mailbox") {
-    rig r{1, true};
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    rig r{rig::driving{.percent = 50, .cyclic = true}};
     r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
     r.lose(rig::operator_unit);
     REQUIRE(r.unit().stops().stop_is_pending());
@@ -331,9 +317,7 @@ TEST_CASE("lost process data frames do not count as loss of the slave, and the m
 }
 
 TEST_CASE("the end of the program stops a cyclic slave") {
-    rig r{1, true};
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    rig r{rig::driving{.percent = 50, .cyclic = true}};
     r.shut_down();
     const auto took = r.run_until([&] { return r.bus.at_rest(); });
     CHECK(took <= 50ms);
@@ -341,9 +325,7 @@ TEST_CASE("the end of the program stops a cyclic slave") {
 }
 
 TEST_CASE("loss of a sender without control stops the slave in cycles") {
-    rig r{1, true};
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    rig r{rig::driving{.percent = 50, .cyclic = true}};
     for (int i = 0; i != 10; ++i) {
         r.run(100ms);
         r.tell(jaus::report_heartbeat_pulse{}, 0, ack_nak::none);
@@ -364,7 +346,7 @@ TEST_CASE("a restarted bridge does not reassign the image area of a slave that s
     before.run_until([&] { return before.unit(1).state() == status::ready; });
     before.actuators[0].hangs = false;
     before.run_until_ready();
-    before.run_until([&, number = before.drive(50, 1)] { return before.is_acknowledged(number); });
+    before.run_until_acknowledged(before.drive(50, 1));
 
     rig r{2, true}; // after kill -9
     r.actuators.swap(before.actuators);

@@ -143,7 +143,7 @@ TEST_CASE("a slave whose application hangs while it is brought up does not delay
     r.run_until([&] { return r.fronts[0].up() && r.fronts[2].up(); });
     r.run(100ms);
     for (std::size_t i = 0; i != 20; ++i) {
-        const auto took = r.run_until([&, number = r.drive(20, 2 * (i % 2))] { return r.is_acknowledged(number); });
+        const auto took = r.run_until_acknowledged(r.drive(20, 2 * (i % 2)));
         CHECK(took <= 2ms);
         r.run(130ms);
     }
@@ -165,7 +165,7 @@ TEST_CASE("a slave whose answers take long does not delay messages to others") {
     r.run(1ms);
     for (std::size_t i = 0; i != 5; ++i) {
         CHECK_FALSE(r.answer(slow));
-        CHECK(r.run_until([&, number = r.drive(20, 2 * (i % 2))] { return r.is_acknowledged(number); }) <= 2ms);
+        CHECK(r.run_until_acknowledged(r.drive(20, 2 * (i % 2))) <= 2ms);
     }
     r.run_until([&] { return r.is_acknowledged(slow); });
     CHECK(r.watcher.lost == 0);

@@ -6,8 +6,7 @@ using jaus::ack_nak;
 using status = jaus::primary_status_code;
 
 TEST_CASE("a command is acknowledged after the slave has executed it") {
-    rig r;
-    r.run_until_ready();
+    rig r{rig::ready{}};
     const auto number = r.drive(50);
     CHECK(r.motor().effort == 0);
     CHECK(!r.answer(number));
@@ -17,9 +16,7 @@ TEST_CASE("a command is acknowledged after the slave has executed it") {
 }
 
 TEST_CASE("a query is answered with the slave's report") {
-    rig r;
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(25)] { return r.is_acknowledged(number); });
+    rig r{rig::driving{25}};
     r.tell(jaus::query_wrench_effort{}, 0, ack_nak::none);
     r.run_until([&] { return !r.received<jaus::report_wrench_effort>().empty(); });
     CHECK(r.received<jaus::report_wrench_effort>().front().propulsive_linear_effort_x == Approx(25).margin(0.01));
@@ -43,8 +40,7 @@ TEST_CASE("the status lists stop orders that the actuator has not confirmed") {
     CHECK(asks() == jaus::report_component_status{status::emergency, rest_unconfirmed | emergency_unconfirmed});
     r.run_until([&] { return r.is_acknowledged(number); });
     CHECK(asks() == jaus::report_component_status{status::emergency, 0});
-    r.cable_is_out = true;
-    r.run_until([&] { return r.watcher.lost == 1; });
+    r.pull_cable();
     CHECK(asks() ==
           jaus::report_component_status{status::emergency, slave_absent | rest_unconfirmed | emergency_unconfirmed});
     r.tell(rig::clear());
@@ -53,8 +49,7 @@ TEST_CASE("the status lists stop orders that the actuator has not confirmed") {
 }
 
 TEST_CASE("a command that the slave aborts is refused") {
-    rig r;
-    r.run_until_ready();
+    rig r{rig::ready{}};
     r.motor().abort_code_of = jaus::command_code_of<jaus::set_wrench_effort>;
     r.motor().aborts = 1;
     const auto number = r.drive(50);
@@ -64,9 +59,7 @@ TEST_CASE("a command that the slave aborts is refused") {
 }
 
 TEST_CASE("an emergency stop that the slave aborts is repeated until it is confirmed, then acknowledged") {
-    rig r;
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    rig r{rig::driving{50}};
     r.motor().abort_code_of = jaus::command_code_of<jaus::set_emergency>;
     r.motor().aborts = 3;
     const auto number = r.tell(rig::stop());
@@ -81,9 +74,7 @@ TEST_CASE("an emergency stop that the slave aborts is repeated until it is confi
 }
 
 TEST_CASE("a slave that refuses an emergency gets zeros") {
-    rig r;
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    rig r{rig::driving{50}};
     r.motor().abort_code_of = jaus::command_code_of<jaus::set_emergency>;
     r.motor().aborts = 1'000'000;
     const auto number = r.tell(rig::stop());
@@ -95,9 +86,7 @@ TEST_CASE("a slave that refuses an emergency gets zeros") {
 }
 
 TEST_CASE("a slave without an object for emergencies is stopped by zeros") {
-    rig r;
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    rig r{rig::driving{50}};
     r.motor().abort_code_of = jaus::command_code_of<jaus::set_emergency>;
     r.motor().aborts = 1'000'000;
     r.motor().abort = ethercat::abort_code::no_subindex;
@@ -144,11 +133,10 @@ TEST_CASE("of waiting commands with one sender and code only the newest is kept,
 
 TEST_CASE("the loss of a slave sets its component to Failure and notifies the controller, and the slave is stopped "
           "when it returns") {
-    rig r;
-    r.run_until_ready();
+    rig r{rig::ready{}};
     r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
     REQUIRE(r.unit().control().controller());
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.run_until_acknowledged(r.drive(50));
     r.cable_is_out = true;
     const auto took = r.run_until([&] { return r.unit().state() == status::failure; });
     CHECK(took < 600ms);
@@ -163,8 +151,7 @@ TEST_CASE("the loss of a slave sets its component to Failure and notifies the co
 }
 
 TEST_CASE("a slave reset is detected, and the emergency is sent again") {
-    rig r;
-    r.run_until_ready();
+    rig r{rig::ready{}};
     const auto number = r.tell(rig::stop());
     r.run_until([&] { return r.is_acknowledged(number); });
     r.actuators[0].power_cycle();
@@ -175,11 +162,8 @@ TEST_CASE("a slave reset is detected, and the emergency is sent again") {
 }
 
 TEST_CASE("an emergency stop for an absent slave is acknowledged after the slave has returned and executed it") {
-    rig r;
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
-    r.cable_is_out = true;
-    r.run_until([&] { return r.watcher.lost == 1; });
+    rig r{rig::driving{50}};
+    r.pull_cable();
     const auto number = r.tell(rig::stop());
     r.run(3s);
     CHECK(!r.answer(number));
@@ -190,11 +174,8 @@ TEST_CASE("an emergency stop for an absent slave is acknowledged after the slave
 }
 
 TEST_CASE("an emergency already in force is not acknowledged while the slave is absent") {
-    rig r;
-    r.run_until_ready();
-    r.run_until([&, number = r.tell(rig::stop())] { return r.is_acknowledged(number); });
-    r.cable_is_out = true;
-    r.run_until([&] { return r.watcher.lost == 1; });
+    rig r{rig::stopped{}};
+    r.pull_cable();
     r.actuators[0].power_cycle();
     const auto number = r.tell(rig::stop());
     r.run(1s);
@@ -205,11 +186,8 @@ TEST_CASE("an emergency already in force is not acknowledged while the slave is 
 }
 
 TEST_CASE("a Clear Emergency for an absent slave is acknowledged after the slave has executed it") {
-    rig r;
-    r.run_until_ready();
-    r.run_until([&, number = r.tell(rig::stop())] { return r.is_acknowledged(number); });
-    r.cable_is_out = true;
-    r.run_until([&] { return r.watcher.lost == 1; });
+    rig r{rig::stopped{}};
+    r.pull_cable();
     const auto number = r.tell(rig::clear());
     r.run(2s);
     CHECK(!r.answer(number));
@@ -226,9 +204,7 @@ TEST_CASE("a Clear Emergency for an absent slave is acknowledged after the slave
 }
 
 TEST_CASE("a Clear Emergency that the slave refuses is refused") {
-    rig r;
-    r.run_until_ready();
-    r.run_until([&, number = r.tell(rig::stop())] { return r.is_acknowledged(number); });
+    rig r{rig::stopped{}};
     r.motor().abort_code_of = jaus::command_code_of<jaus::clear_emergency>;
     r.motor().aborts = 1000;
     const auto number = r.tell(rig::clear());
@@ -253,10 +229,9 @@ TEST_CASE("a slave in an emergency unknown to the bridge is stopped by another e
 }
 
 TEST_CASE("loss of the controller stops the slave, release of control does not") {
-    rig r;
-    r.run_until_ready();
+    rig r{rig::ready{}};
     r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.run_until_acknowledged(r.drive(50));
     r.tell(jaus::release_component_control{}, 0, ack_nak::none);
     r.run(200ms);
     CHECK(r.motor().effort != 0);
@@ -266,10 +241,9 @@ TEST_CASE("loss of the controller stops the slave, release of control does not")
 }
 
 TEST_CASE("loss of a sender without control stops the slave") {
-    rig r;
-    r.run_until_ready();
+    rig r{rig::ready{}};
     const auto pulse = [&](const jaus::address& of) { r.tell(jaus::report_heartbeat_pulse{}, 0, ack_nak::none, of); };
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.run_until_acknowledged(r.drive(50));
     for (int i = 0; i != 20; ++i) {
         r.run(200ms);
         pulse(rig::operator_unit);
@@ -293,24 +267,21 @@ TEST_CASE("loss of a sender without control stops the slave") {
     // Right after a controller was lost by silence.
     r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
     r.run_until([&] { return !r.unit().control().controller() && r.unit().stops().settled(); });
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.run_until_acknowledged(r.drive(50));
     r.run_until([&] { return r.motor().effort == 0; }, r.core_options.control.timeout + 20ms);
 }
 
 TEST_CASE("what a controller leaves in force when it releases control is stopped when it is lost") {
-    rig r;
-    r.run_until_ready();
+    rig r{rig::ready{}};
     r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.run_until_acknowledged(r.drive(50));
     r.tell(jaus::release_component_control{}, 0, ack_nak::none);
     CHECK(r.motor().effort != 0);
     r.run_until([&] { return r.motor().effort == 0; }, r.core_options.control.timeout + 20ms);
 }
 
 TEST_CASE("a command that arrives while the slave refuses zeros is not executed before they are confirmed") {
-    rig r;
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    rig r{rig::driving{50}};
     r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
     r.motor().abort_code_of = jaus::command_code_of<jaus::set_wrench_effort>;
     r.motor().aborts = 1;
@@ -354,7 +325,7 @@ TEST_CASE("Standby is acknowledged when the slave is stopped, and no waiting mes
     rig r;
     r.round_trip = 4ms;
     r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.run_until_acknowledged(r.drive(50));
     const auto late = r.drive(70);
     const auto later = r.tell(jaus::set_travel_speed{.desired_speed = 3});
     const auto number = r.tell(jaus::standby{});
@@ -368,9 +339,7 @@ TEST_CASE("Standby is acknowledged when the slave is stopped, and no waiting mes
 }
 
 TEST_CASE("each Standby numbered 0 that comes while the first one is pending is acknowledged once") {
-    rig r;
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    rig r{rig::driving{50}};
     const auto acknowledged = [&] {
         return std::ranges::count_if(r.messages, [](const auto& message) {
             const auto head = jaus::split(message).header;
@@ -436,8 +405,7 @@ TEST_CASE("an emergency of a slave is detected without a message to that slave")
 }
 
 TEST_CASE("a slave without messages gets heartbeats") {
-    rig r;
-    r.run_until_ready();
+    rig r{rig::ready{}};
     r.motor().executed.clear();
     r.run(1s);
     const auto beats = std::ranges::count(r.motor().executed, jaus::command_code_of<jaus::report_heartbeat_pulse>);
@@ -448,8 +416,7 @@ TEST_CASE("a slave without messages gets heartbeats") {
 TEST_CASE("the end of the program stops every slave") {
     rig r{3};
     r.run_until_ready();
-    for (std::size_t i = 0; i != 3; ++i)
-        r.run_until([&, number = r.drive(50, i)] { return r.is_acknowledged(number); });
+    for (std::size_t i = 0; i != 3; ++i) r.run_until_acknowledged(r.drive(50, i));
     CHECK(r.bus.at_rest());
     r.shut_down();
     CHECK(!r.bus.at_rest());
@@ -475,7 +442,7 @@ TEST_CASE(
     "a transfer to an unresponsive slave is abandoned for a stop order to another, and its late answer is dropped") {
     rig r{2};
     r.run_until_ready();
-    r.run_until([&, number = r.drive(50, 0)] { return r.is_acknowledged(number); });
+    r.run_until_acknowledged(r.drive(50, 0));
     r.actuators[1].hangs = true;
     const auto hung = r.drive(30, 1);
     r.run(5ms);
@@ -493,7 +460,7 @@ TEST_CASE(
 TEST_CASE("a dead slave among six delays neither commands nor a stop order to the others") {
     rig r{6};
     r.run_until_ready();
-    const auto one = r.run_until([&, number = r.drive(10, 0)] { return r.is_acknowledged(number); });
+    const auto one = r.run_until_acknowledged(r.drive(10, 0));
     r.actuators[5].hangs = true;
     const auto hung = r.drive(30, 5);
     r.run(5ms);
@@ -502,7 +469,7 @@ TEST_CASE("a dead slave among six delays neither commands nor a stop order to th
     const auto five = r.run_until(
         [&] { return std::ranges::all_of(numbers, [&](auto number) { return r.is_acknowledged(number); }); });
     CHECK(five <= one + 100us); // all at once
-    const auto stopped = r.run_until([&, number = r.tell(rig::stop(), 3)] { return r.is_acknowledged(number); });
+    const auto stopped = r.run_until_acknowledged(r.tell(rig::stop(), 3));
     CHECK(stopped <= one + 100us);
     CHECK(r.motor(3).emergency);
     CHECK_FALSE(r.answer(hung));
@@ -518,7 +485,7 @@ TEST_CASE("a stop order gets the place of a transfer where more slaves are dead 
         r.drive(30, i);
     }
     r.run(5ms);
-    const auto took = r.run_until([&, number = r.tell(rig::stop(), 19)] { return r.is_acknowledged(number); });
+    const auto took = r.run_until_acknowledged(r.tell(rig::stop(), 19));
     CHECK(took <= 80ms);
     CHECK(r.watcher.lost == 1);
 }
@@ -548,7 +515,7 @@ TEST_CASE("a job of others for a slave that gets a message waits for it, and oth
     others.station = 2;
     r.run(5ms);
     CHECK(others.ended.empty());
-    r.run_until([&, number = r.drive(20, 1)] { return r.is_acknowledged(number); }, 5ms);
+    r.run_until_acknowledged(r.drive(20, 1), 5ms);
     r.actuators[0].hangs = false;
     r.run_until([&] { return r.is_acknowledged(hung); });
     r.run_until([&] { return others.ended.size() == 1; }, 5ms);
@@ -562,8 +529,7 @@ TEST_CASE("a job of others for a slave that gets a message waits for it, and oth
 }
 
 TEST_CASE("a message waits for its slave for a bounded time") {
-    rig r;
-    r.run_until_ready();
+    rig r{rig::ready{}};
     r.frames_to_lose = 1000;
     const auto number = r.drive(50);
     const auto later = r.tell(jaus::set_travel_speed{.desired_speed = 3});
@@ -573,8 +539,7 @@ TEST_CASE("a message waits for its slave for a bounded time") {
 }
 
 TEST_CASE("a program that was suspended does not continue requests from before") {
-    rig r;
-    r.run_until_ready();
+    rig r{rig::ready{}};
     r.cable_is_out = true;
     const auto number = r.drive(50);
     r.run(5ms);
@@ -591,11 +556,8 @@ TEST_CASE("a program that was suspended does not continue requests from before")
 }
 
 TEST_CASE("the end of the program waits for an absent slave to return") {
-    rig r;
-    r.run_until_ready();
-    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
-    r.cable_is_out = true;
-    r.run_until([&] { return r.watcher.lost == 1; });
+    rig r{rig::driving{50}};
+    r.pull_cable();
     r.shut_down();
     CHECK(!r.bus.at_rest());
     r.cable_is_out = false;
@@ -654,7 +616,7 @@ TEST_CASE("slaves with station addresses of an earlier master are brought up") {
 TEST_CASE("a slave of unknown state counts as lost, also while the master waits for another slave") {
     rig r{2};
     r.run_until_ready();
-    r.run_until([&, number = r.drive(50, 1)] { return r.is_acknowledged(number); });
+    r.run_until_acknowledged(r.drive(50, 1));
     r.actuators[0].hangs = true;
     r.drive(30, 0);
     r.run(5ms);
@@ -672,8 +634,7 @@ TEST_CASE("a slave of unknown state counts as lost, also while the master waits 
 }
 
 TEST_CASE("polling the states does not consume a reply for which the master waits") {
-    rig r;
-    r.run_until_ready();
+    rig r{rig::ready{}};
     r.run(30s); // every index was used
     for (int i = 0; i != 20; ++i) {
         r.actuators[0].power_cycle();

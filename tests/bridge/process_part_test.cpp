@@ -18,9 +18,7 @@ struct arm {
             REQUIRE(message.joint_effort.push_back(percent + static_cast<double>(i)));
         return r.tell(message);
     }
-    void run_until_moving(double percent) {
-        r.run_until([&, number = drive(percent)] { return r.is_acknowledged(number); });
-    }
+    void run_until_moving(double percent) { r.run_until_acknowledged(drive(percent)); }
     bool is_at_rest() const {
         return std::ranges::all_of(r.actuators, [](const auto& each) { return each.behind.effort == 0; });
     }

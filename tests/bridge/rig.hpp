@@ -107,6 +107,22 @@ class rig {
         }
     }
 
+    /// One slave, whose component is ready.
+    struct ready {};
+    explicit rig(ready) : rig{} { run_until_ready(); }
+    /// One slave, driven by the operator: by mailbox, or in cycles.
+    struct driving {
+        double percent;
+        bool cyclic{};
+    };
+    explicit rig(driving at) : rig{1, at.cyclic} {
+        run_until_ready();
+        run_until_acknowledged(drive(at.percent));
+    }
+    /// One slave in an emergency.
+    struct stopped {};
+    explicit rig(stopped) : rig{ready{}} { run_until_acknowledged(tell(stop())); }
+
     static constexpr ethercat::sync_settings sync0{.assign_activate = 0x0300};
     static jaus::address unit_address(std::size_t i) {
         return {.instance = 1, .component = 33, .node = static_cast<std::uint8_t>(2 + i), .subsystem = 2};
@@ -140,6 +156,15 @@ class rig {
                 return each.state() == jaus::primary_status_code::ready && each.stops().settled();
             });
         });
+    }
+
+    std::chrono::nanoseconds run_until_acknowledged(std::uint16_t number, std::chrono::nanoseconds limit = 20s) {
+        return run_until([&] { return is_acknowledged(number); }, limit);
+    }
+    /// Until the loss of the slaves is noticed.
+    void pull_cable() {
+        cable_is_out = true;
+        run_until([&, before = watcher.lost] { return watcher.lost != before; });
     }
 
     /// A message from `source` to the unit; returns its sequence number.
@@ -248,7 +273,7 @@ class rig {
             flights_.erase(at);
             bus.on_frame(back, now, out_);
         }
-        for (auto& each : actuators) each.work(now);
+        for (auto& each : actuators) each.on_time(now);
         for (auto& each : units) each.on_time(now, out_);
         bus.on_time(now, out_);
     }

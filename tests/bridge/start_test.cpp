@@ -38,13 +38,13 @@ TEST_CASE("cyclic slaves are brought up, configured and taken to OP at once") {
     CHECK(all.time < 64 * single.time / 4);
     CHECK(many.watcher.lost == 0);
     many.run_until_ready();
-    many.run_until([&, number = many.drive(50, 63)] { return many.is_acknowledged(number); }, 50ms);
+    many.run_until_acknowledged(many.drive(50, 63), 50ms);
 }
 
 TEST_CASE("slaves behind a cable that was out return at once, and are at rest") {
     rig r{32, true};
     r.run_until_ready();
-    r.run_until([&, number = r.drive(50, 31)] { return r.is_acknowledged(number); });
+    r.run_until_acknowledged(r.drive(50, 31));
     r.dead_from = 8;
     r.run_until([&] { return r.watcher.lost == 24; }, 200ms);
     r.run(2s);

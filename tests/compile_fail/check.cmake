@@ -1,34 +1,41 @@
 # Compiles SOURCE with COMPILER and the options in the file OPTIONS, and checks that the outcome is EXPECT, by default what
-# its first line says. A second line "// and: text" says what else the compiler must say. PRECOMPILED is the header that
-# SOURCE includes first; its precompiled form is beside it.
+# the source says: "// expect: sentence" in its first line, or below "#ifdef CASE". A line "// and: text" behind it says what
+# else the compiler must say. PRECOMPILED is the header that SOURCE includes first; its precompiled form is beside it.
 if(NOT DEFINED EXPECT)
-    file(STRINGS ${SOURCE} first_line LIMIT_COUNT 1)
-    if(NOT first_line MATCHES "^// expect: (.+)$")
-        message(FATAL_ERROR "${SOURCE} does not begin with '// expect: '")
+    file(READ ${SOURCE} text)
+    set(before "^")
+    if(DEFINED CASE)
+        set(before "#ifdef ${CASE}\n")
     endif()
-    string(REPLACE "\\;" ";" EXPECT "${CMAKE_MATCH_1}") # file(STRINGS) protects semicolons
-    file(STRINGS ${SOURCE} ALSO REGEX "^// and: ")
-    string(REPLACE "// and: " "" ALSO "${ALSO}")
+    if(NOT text MATCHES "${before}// expect: ([^\n]+)\n(// and: ([^\n]+))?")
+        message(FATAL_ERROR "${SOURCE} ${CASE} does not begin with '// expect: '")
+    endif()
+    set(EXPECT "${CMAKE_MATCH_1}")
+    set(ALSO "${CMAKE_MATCH_3}")
 endif()
 
+set(options)
 if(DEFINED PRECOMPILED)
-    set(first -include ${PRECOMPILED})
+    list(APPEND options -include ${PRECOMPILED})
 endif()
-execute_process(COMMAND ${COMPILER} -fsyntax-only @${OPTIONS} ${first} ${SOURCE}
+if(DEFINED CASE)
+    list(APPEND options -D${CASE})
+endif()
+execute_process(COMMAND ${COMPILER} -fsyntax-only @${OPTIONS} ${options} ${SOURCE}
                 RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
 
 string(FIND "${output}" "${EXPECT}" at)
 if(EXPECT STREQUAL "no error")
     if(NOT code EQUAL 0)
-        message(FATAL_ERROR "Must compile, but does not.\n ${SOURCE}\n${output}")
+        message(FATAL_ERROR "Must compile, but does not.\n ${SOURCE} ${CASE}\n${output}")
     endif()
 elseif(code EQUAL 0)
-    message(FATAL_ERROR "Must not compile, but does.\n ${SOURCE}")
+    message(FATAL_ERROR "Must not compile, but does.\n ${SOURCE} ${CASE}")
 elseif(at EQUAL -1)
-    message(FATAL_ERROR "Refused, but for another reason.\n ${SOURCE}\n expected: ${EXPECT}\n${output}")
+    message(FATAL_ERROR "Refused, but for another reason.\n ${SOURCE} ${CASE}\n expected: ${EXPECT}\n${output}")
 elseif(ALSO)
     string(FIND "${output}" "${ALSO}" at)
     if(at EQUAL -1)
-        message(FATAL_ERROR "Refused, but without a word of ${ALSO}.\n ${SOURCE}\n${output}")
+        message(FATAL_ERROR "Refused, but without a word of ${ALSO}.\n ${SOURCE} ${CASE}\n${output}")
     endif()
 endif()

@@ -138,7 +138,7 @@ TEST_CASE("sdos says what to do without SDO information") {
 
 TEST_CASE("a slave that does not work is named") {
     bench b;
-    b.ring.with(1, [](auto& each) { each.works = false; });
+    b.ring.with(1, [](auto& each) { each.hangs = true; });
     const auto ended = run("state pre-op --slave 1 --yes --frame-timeout 5" + on(b.ring));
     CHECK(ended.code == failed);
     CHECK(ended.complains("slave 1 on"));

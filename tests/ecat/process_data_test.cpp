@@ -92,7 +92,7 @@ TEST_CASE("watch shows the inputs of slaves in SAFE-OP") {
     CHECK(refused.complains("no chosen slave is in SAFE-OP or OP"));
     REQUIRE(run("state safe-op --slave 1 --yes" + on(ring)).code == done);
     ring.with(1, [](auto& each) {
-        const auto to = each.device.inputs();
+        const auto to = each.slave.inputs();
         REQUIRE(to.size() == 7);
         for (const auto& [at, octet] : {std::pair{0, 0xFE}, {1, 0xFF}, {2, 0x81}, {5, 0xC0}, {6, 0x3F}})
             to[static_cast<std::size_t>(at)] = static_cast<std::byte>(octet);
@@ -132,8 +132,8 @@ TEST_CASE("watch reads inputs by their logical address where a slave has them at
                 static_cast<void>(jauscat::wire::encode(ethercat::datagram_trailer{0}, each.bytes.last(2)));
             }
     });
-    ring.with(1, [](auto& each) { each.device.inputs()[0] = std::byte{7}; });
-    ring.with(2, [](auto& each) { each.device.inputs()[0] = std::byte{9}; });
+    ring.with(1, [](auto& each) { each.slave.inputs()[0] = std::byte{7}; });
+    ring.with(2, [](auto& each) { each.slave.inputs()[0] = std::byte{9}; });
     const auto ended = run("watch --seconds 0.01 --format json" + on(ring));
     INFO(ended.err);
     CHECK(ended.code == done);

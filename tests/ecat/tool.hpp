@@ -56,13 +56,13 @@ inline std::string on(const emulated_bus& ring) { return " --link " + ring.where
 /// Of all slaves, as they are now.
 inline std::vector<ethercat::al_state> states(emulated_bus& ring, std::size_t slaves = 3) {
     std::vector<ethercat::al_state> all;
-    for (std::size_t i = 0; i != slaves; ++i) ring.with(i, [&](auto& each) { all.push_back(each.device.state()); });
+    for (std::size_t i = 0; i != slaves; ++i) ring.with(i, [&](auto& each) { all.push_back(each.slave.state()); });
     return all;
 }
 inline std::vector<std::uint16_t> stations(emulated_bus& ring, std::size_t slaves = 3) {
     std::vector<std::uint16_t> all;
     for (std::size_t i = 0; i != slaves; ++i)
-        ring.with(i, [&](auto& each) { all.push_back(each.device.station_address()); });
+        ring.with(i, [&](auto& each) { all.push_back(each.slave.station_address()); });
     return all;
 }
 inline std::vector<ethercat::al_state> all_in(ethercat::al_state state, std::size_t slaves = 3) {

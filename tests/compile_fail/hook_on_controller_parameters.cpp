@@ -1,7 +1,0 @@
-// expect: hook: the function has other parameters than the hook
-#include <jauscat/jaus/component/component_hooks.hpp>
-
-namespace jaus = jauscat::jaus;
-
-constexpr auto function = [](const std::optional<jaus::controller>&) {};
-const jaus::component_hooks hooks{.on_controller = function};

@@ -1,7 +1,0 @@
-// expect: hook: the function returns another type than the hook
-#include <jauscat/jaus/component/component_hooks.hpp>
-
-namespace jaus = jauscat::jaus;
-
-constexpr auto function = [](jaus::primary_status_code, jaus::primary_status_code) { return true; };
-const jaus::component_hooks hooks{.on_state = function};

@@ -1,9 +1,0 @@
-// expect: layout: a std::optional member needs a presence vector
-#include "small_message.hpp"
-
-template <> struct jauscat::wire::schema<small_message> {
-    using T = small_message;
-    using type = layout<field<&T::number, u16le>, field<&T::level, scaled<u8, percent>>, field<&T::extra, u8>>;
-};
-
-static_assert(size_of_wrong<small_message> != 0);
