@@ -159,6 +159,20 @@ struct bench {
     std::optional<status> told_state{};
 };
 
+/// The component in front of three slaves.
+constexpr jaus::address manipulator{.instance = 1, .component = 56, .node = 2, .subsystem = 2};
+/// The operator takes control of it and drives the joints to 10, 20 and 30 percent.
+bool drive_joints(bench& b) {
+    int turns = 0;
+    return b.until([&] {
+        if (turns++ % 20 == 0) {
+            static_cast<void>(b.unit.send(manipulator, jaus::request_component_control{.authority_code = 100}));
+            static_cast<void>(b.unit.send(manipulator, jaus::basic_set_joint_efforts<3>{.joint_effort = {10, 20, 30}}));
+        }
+        return std::abs(b.ring.effort(0) - 10) < 0.1 && std::abs(b.ring.effort(2) - 30) < 0.1;
+    });
+}
+
 const auto no_log = [](std::string_view) {};
 
 } // namespace
@@ -516,7 +530,6 @@ TEST_CASE("a component has a process image by tables of the application's") {
 
 TEST_CASE("a component in front of several slaves drives each, and rests when one is lost") {
     const bool thread = GENERATE(false, true);
-    constexpr jaus::address manipulator{.instance = 1, .component = 56, .node = 2, .subsystem = 2};
     constexpr std::size_t joints = 3;
     bench b{joints, {.frame_timeout = 5ms, .thread = thread}};
     b.bridge.emplace(*b.robot, *b.bus, translation::seed_table{}, jauscat::bridge_options{.period = 10ms});
@@ -527,18 +540,7 @@ TEST_CASE("a component in front of several slaves drives each, and rests when on
     b.bridge->when_lost([&](const jauscat::slave_choice& which, error_code) { lost.push_back(which); });
     b.bridge->when_changed([&](const auto&, status now) { b.state = now; });
     b.start();
-    const auto drive = [&] {
-        int turns = 0;
-        return b.until([&] {
-            if (turns++ % 20 == 0) {
-                static_cast<void>(b.unit.send(manipulator, jaus::request_component_control{.authority_code = 100}));
-                static_cast<void>(
-                    b.unit.send(manipulator, jaus::basic_set_joint_efforts<3>{.joint_effort = {10, 20, 30}}));
-            }
-            return std::abs(b.ring.effort(0) - 10) < 0.1 && std::abs(b.ring.effort(2) - 30) < 0.1;
-        });
-    };
-    REQUIRE(drive());
+    REQUIRE(drive_joints(b));
     CHECK(b.bridge->is_up());
     b.ring.with(1, [](auto& each) { each.power_cycle(); });
     REQUIRE(b.until([&] { return b.state == status::failure; }));
@@ -546,7 +548,7 @@ TEST_CASE("a component in front of several slaves drives each, and rests when on
     REQUIRE(b.until([&] { return b.state == status::ready && b.bridge->at_rest(); }));
     CHECK(lost.size() == 1);
     CHECK(lost[0].position == std::uint16_t{1});
-    REQUIRE(drive());
+    REQUIRE(drive_joints(b));
     SECTION("the node ends") { b.robot->stop(); }
     SECTION("the bridge ends") { b.bridge.reset(); }
     SECTION("the bus ends") { b.bus->stop(); }
@@ -595,7 +597,6 @@ TEST_CASE("a named slave is served wherever it is, and never another one in its 
 
 TEST_CASE("a component in front of named slaves works again when one of them comes back elsewhere") {
     const bool thread = GENERATE(false, true);
-    constexpr jaus::address manipulator{.instance = 1, .component = 56, .node = 2, .subsystem = 2};
     bench b{3,
             {.slaves = {{.name = "a", .alias = 102}, {.name = "b", .alias = 103}, {.name = "c", .alias = 104}},
              .check_interval = 20ms,
@@ -608,24 +609,13 @@ TEST_CASE("a component in front of named slaves works again when one of them com
     b.bridge->when_changed([&](const auto&, status now) { b.state = now; });
     b.ring.connect({2, 0, 1});
     b.start();
-    const auto drive = [&] {
-        int turns = 0;
-        return b.until([&] {
-            if (turns++ % 20 == 0) {
-                static_cast<void>(b.unit.send(manipulator, jaus::request_component_control{.authority_code = 100}));
-                static_cast<void>(
-                    b.unit.send(manipulator, jaus::basic_set_joint_efforts<3>{.joint_effort = {10, 20, 30}}));
-            }
-            return std::abs(b.ring.effort(0) - 10) < 0.1 && std::abs(b.ring.effort(2) - 30) < 0.1;
-        });
-    };
-    REQUIRE(drive());
+    REQUIRE(drive_joints(b));
     b.ring.connect({2, 0});
     REQUIRE(b.until([&] { return b.state == status::failure && b.ring.effort(0) == 0 && b.ring.effort(2) == 0; }));
     b.ring.with(1, [](auto& each) { each.power_cycle(); });
     b.ring.connect({1, 2, 0});
     REQUIRE(b.until([&] { return b.state == status::ready && b.bridge->at_rest(); }));
-    REQUIRE(drive());
+    REQUIRE(drive_joints(b));
     CHECK(std::abs(b.ring.effort(1) - 20) < 0.1);
     b.robot->stop();
     for (std::size_t i = 0; i != 3; ++i) CHECK(b.ring.effort(i) == 0);
