@@ -9,7 +9,7 @@ set_source_files_properties(${message_groups} PROPERTIES COMPILE_OPTIONS
     "$<$<CONFIG:Release>:-O1>;${JAUSCAT_REPEATED_CODE_OPTIONS}")
 
 add_library(jauscat_test_messages STATIC EXCLUDE_FROM_ALL ${CMAKE_CURRENT_LIST_DIR}/schema/messages.cpp ${message_groups})
-target_link_libraries(jauscat_test_messages PUBLIC jauscat_test_main)
+target_link_libraries(jauscat_test_messages PUBLIC jauscat_test_main jauscat::catalogue)
 if(TARGET jauscat::jauscat)
     target_link_libraries(jauscat_test_messages PUBLIC jauscat::jauscat)
 endif()

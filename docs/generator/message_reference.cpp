@@ -2,7 +2,7 @@
 #include "describe.hpp"
 #include "diagram.hpp"
 #include "page.hpp"
-#include <jauscat/schema/jaus/messages.hpp>
+#include <jauscat/catalogue/ra_3_3.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
 #include <jauscat/translate/translator.hpp>
 
@@ -19,31 +19,14 @@ namespace {
 using namespace jauscat;
 using files = std::map<std::filesystem::path, std::string>; // what is to be in the folder, by name in it
 
-template <class T> void describe(std::vector<reference::message>& messages) {
-    const auto entry = std::ranges::find(jaus::catalog, jaus::command_code_of<T>, &jaus::catalog_entry::command_code);
-    const auto rank = std::ranges::find(translation::ra_command_codes, jaus::command_code_of<T>);
-    messages.push_back({.code = jaus::command_code_of<T>,
-                        .name = entry->name,
-                        .structure = reference::plain_name(typeid(T)),
-                        .least = wire::min_size<T>,
-                        .most = wire::max_size<T>,
-                        .rank = static_cast<unsigned>(rank - translation::ra_command_codes.begin() + 1),
-                        .parts = reference::parts_of<T>()});
-}
-template <class... Messages> std::vector<reference::message> described(jaus::message_list<Messages...>*) {
-    std::vector<reference::message> messages;
-    (describe<Messages>(messages), ...);
-    std::ranges::sort(messages, {}, &reference::message::code);
-    return messages;
-}
-
 files made_from(const std::filesystem::path& schemas) {
     using translator = translate::translator<translation::seed_table>;
     const reference::translation table{.index_base = translation::seed_index_base,
                                        .packet = translator::packet_size + translator::rest_size,
                                        .largest_body = translator::max_body};
     const reference::remarks from{schemas / "jauscat/schema/jaus"};
-    const auto messages = described(static_cast<jaus::messages*>(nullptr));
+    std::vector<reference::message> messages;
+    for (const catalogue::entry& entry : catalogue::ra_3_3()) messages.push_back(reference::described(entry));
     files made;
     std::set<std::string> headers;
     for (const reference::message& one : messages) {
@@ -94,7 +77,7 @@ int main(int count, char** words) try {
     if (arguments.size() != 2 && !check) {
         std::cerr
             << "usage: message_reference SCHEMAS FOLDER [--check]\n"
-               "Writes the message reference to FOLDER, from the schemas it was compiled with and the comments in\n"
+               "Writes the message reference to FOLDER, from the catalogue it was compiled with and the comments in\n"
                "SCHEMAS. With --check writes nothing, names the files that are not current, and fails if there "
                "are any.\n";
         return 2;

@@ -193,7 +193,7 @@ std::string section(const message& one, const remarks& from, const translation& 
     made += "**" + class_of(one) + "** · body: " + body_size(one) + " · object " + std::to_string(table.index_base) +
             " + component, subindex " + std::to_string(one.rank) +
             " · SDO packet: " + amount(table.packet + one.least, table.packet + largest) + " bytes · " +
-            code("jaus::" + from.usual_name(one.structure)) + "\n\n";
+            code("jaus::" + one.structure) + "\n\n";
     if (!remark.notes.empty()) made += "> " + remark.notes + "\n\n";
     if (one.parts.empty()) return made;
     made += "![Bytes of " + std::string{one.name} + "](" + diagram_file(one) + ")\n\n";

@@ -1,4 +1,4 @@
-// What the reference tells about a message: its layout as plain data, made from the schema by describe.hpp.
+// What the reference tells about a message, made from its description by describe.hpp.
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -23,11 +23,10 @@ remarks::remarks(const std::filesystem::path& folder) {
 }
 
 void remarks::read(const std::filesystem::path& header) {
-    static const std::regex type{R"(^(?:template <.*> )?(?:struct|enum class) (\w+)(?: :.*)? \{.*)"};
+    static const std::regex type{R"(^(?:template <.*> )?(?:struct|enum class) (?:basic_)?(\w+)(?: :.*)? \{.*)"};
     static const std::regex member{R"(^    .*?(\w+?)_?\{[^{}]*\};(?: +///< (.*))?$)"};
     static const std::regex enumerator{R"(^    (\w+?)_? = \w+,(?: +///< (.*))?$)"};
     static const std::regex more{R"(^ +///< (.*)$)"};
-    static const std::regex alias{R"(^using (\w+) = (\w+)<.*$)"};
     const std::string stem = header.stem();
     std::ifstream file{header};
     std::string above, current;
@@ -44,8 +43,6 @@ void remarks::read(const std::filesystem::path& header) {
             types_[current] = above;
             homes_[current] = stem;
             above.clear();
-        } else if (current.empty() && std::regex_match(line, match, alias)) {
-            aliases_[match[2]] = match[1];
         } else if (std::regex_match(line, match, more) && last != nullptr) {
             add_line(*last, match[1]);
             continue;
@@ -75,11 +72,6 @@ const std::string& remarks::of_member(const std::string& type, const std::string
     if (owner == members_.end()) return nothing;
     const auto place = owner->second.find(member);
     return place == owner->second.end() ? nothing : place->second;
-}
-
-const std::string& remarks::usual_name(const std::string& type) const {
-    const auto place = aliases_.find(type);
-    return place == aliases_.end() ? type : place->second;
 }
 
 message_remark remarks::of_message(const std::string& type, std::string_view name, std::string_view code) const {

@@ -27,8 +27,6 @@ class remarks {
     [[nodiscard]] const std::string& of_type(const std::string& type) const { return found(types_, type); }
     /// The comment behind a member or enumerator, or empty.
     [[nodiscard]] const std::string& of_member(const std::string& type, const std::string& member) const;
-    /// The name that users write for a type: the alias of a template's usual instance.
-    [[nodiscard]] const std::string& usual_name(const std::string& type) const;
 
     /// The comment above a message, or empty parts. Throws if it does not have the standard's name and the code.
     [[nodiscard]] message_remark of_message(const std::string& type, std::string_view name,
@@ -39,7 +37,7 @@ class remarks {
     void read(const std::filesystem::path& header);
     static const std::string& found(const texts& among, const std::string& key);
 
-    texts headers_{}, homes_{}, types_{}, aliases_{};
+    texts headers_{}, homes_{}, types_{};
     std::map<std::string, texts> members_{}; // by type
 };
 

@@ -119,7 +119,7 @@ template <class Table> void every_message_arrives(auto expected) {
     support::generator g{254};
     std::set<std::uint16_t> codes;
     for (const auto& type : messages::all()) {
-        INFO(type.name);
+        INFO(type.name());
         for (int round = 0; round != 10; ++round) {
             const auto body = type.random(g, {}).bytes;
             if (body.size() > robot<Table>::packet_exchange::translator::max_body) continue;
@@ -166,7 +166,7 @@ TEMPLATE_TEST_CASE("parts of a large data set and broadcasts that name no slave 
         return exchange.error();
     };
     for (const auto& type : messages::all()) {
-        INFO(type.name);
+        INFO(type.name());
         auto head = random_header(g, type.code, 0);
         for (const auto flag :
              {jaus::data_flag::first, jaus::data_flag::middle, jaus::data_flag::repeated, jaus::data_flag::last}) {
@@ -192,7 +192,7 @@ TEMPLATE_TEST_CASE("the report of every query returns with the asker's address a
         if (report_code == 0) continue;
         const auto report = std::ranges::find(all, report_code, &messages::message::code);
         REQUIRE(report != all.end());
-        INFO(query.name);
+        INFO(query.name());
         for (int round = 0; round != 5; ++round) {
             const auto asked = query.random(g, {}).bytes, told = report->random(g, {}).bytes;
             if (told.size() > robot<TestType>::packet_exchange::translator::max_body) continue;

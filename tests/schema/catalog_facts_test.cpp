@@ -62,16 +62,16 @@ class comparison {
     std::vector<std::string> differences{};
 
     void message(xml_node expected, const messages::message& found) {
-        path_ = found.name;
+        path_ = found.name();
         const auto size = [&](const char* which) { return expected.attribute(which).as_uint(); };
         // Shorter identifications are received.
         const bool lenient = found.code == 0x4B00;
-        equal("min size", lenient ? size("min-size") - 80 : size("min-size"), found.min_size);
+        equal("min size", lenient ? size("min-size") - 80 : size("min-size"), found.min_size());
         if (std::string_view{expected.attribute("max-size").value()} != "variable")
-            equal("max size", size("max-size"), found.max_size);
+            equal("max size", size("max-size"), found.max_size());
         else // an inline list ends at its capacity
-            equal("variable size", true, found.max_size > 2 * found.min_size);
-        structure(expected, *found.structure);
+            equal("variable size", true, found.max_size() > 2 * found.min_size());
+        structure(expected, found.fields());
     }
 
   private:

@@ -60,10 +60,10 @@ TEST_CASE("the catalogue has the codes of each class") {
 
 TEST_CASE("a message's type has the code and the name of the catalogue") {
     for (const auto& message : messages::all()) {
-        INFO(message.name);
+        INFO(message.name());
         const auto entry = std::ranges::find(jaus::catalog, message.code, &jaus::catalog_entry::command_code);
         REQUIRE(entry != jaus::catalog.end());
-        CHECK(golden::snake_case(entry->name) == message.name);
+        CHECK(golden::snake_case(entry->name) == message.name());
     }
 }
 

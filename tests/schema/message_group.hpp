@@ -4,7 +4,6 @@
 #include "schema/messages.hpp"
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
-#include <jauscat/text/describe.hpp>
 #include <jauscat/wire/view.hpp>
 
 namespace messages {
@@ -69,7 +68,7 @@ template <wire::message T> encoded random(support::generator& g, const support::
     return made;
 }
 
-template <wire::message T> decoded decode(std::span<const std::byte> body) {
+template <wire::message T> decoded read(std::span<const std::byte> body) {
     decoded made;
     T value{};
     wire::arena memory{scratch()};
@@ -96,21 +95,6 @@ template <wire::message T> judged judge(std::span<const std::byte> body) {
     return {.error = decode_into(value, body, memory), .why = wire::diagnose<T>(body)};
 }
 
-template <wire::message T> bool show(std::span<const std::byte> body, const std::function<void(const void*)>& look) {
-    T value{};
-    wire::arena memory{scratch()};
-    if (decode_into(value, body, memory) != wire::errc::ok) return false;
-    look(&value);
-    return true;
-}
-
-template <wire::message T> octets build(const std::function<void(void*, wire::arena&)>& fill) {
-    T value{};
-    wire::arena memory{scratch()};
-    fill(&value, memory);
-    return encode(value);
-}
-
 template <class... Messages>
 jaus::dispatched dispatch(const jaus::header& head, std::span<const std::byte> body, std::vector<handled>& seen) {
     jaus::dispatcher all{jaus::on<Messages>([&](const jaus::header& header, const Messages& message) {
@@ -131,18 +115,12 @@ auto choose(chosen<Chosen...>, jaus::message_list<First, Rest...>) {
 }
 
 template <class... Messages> const group& make_group(chosen<Messages...>) {
-    static const std::array<message, sizeof...(Messages)> all{message{.name = wire::type_name<Messages>(),
-                                                                      .code = jaus::command_code_of<Messages>,
-                                                                      .min_size = wire::min_size<Messages>,
-                                                                      .max_size = wire::max_size<Messages>,
-                                                                      .structure = &jauscat::text::describe<Messages>(),
-                                                                      .object_size = sizeof(Messages),
-                                                                      .has_lists = wire::needs_memory<Messages>,
-                                                                      .random = &random<Messages>,
-                                                                      .decode = &decode<Messages>,
-                                                                      .judge = &judge<Messages>,
-                                                                      .show = &show<Messages>,
-                                                                      .build = &build<Messages>}...};
+    static const std::array<functions, sizeof...(Messages)> all{functions{.code = jaus::command_code_of<Messages>,
+                                                                          .object_size = sizeof(Messages),
+                                                                          .has_lists = wire::needs_memory<Messages>,
+                                                                          .random = &random<Messages>,
+                                                                          .read = &read<Messages>,
+                                                                          .judge = &judge<Messages>}...};
     static const group made{all, &dispatch<Messages...>};
     return made;
 }

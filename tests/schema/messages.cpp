@@ -12,7 +12,8 @@ const std::array<const group*, 10>& groups() {
 
 std::vector<message> all() {
     std::vector<message> list;
-    for (const group* one : groups()) list.insert(list.end(), one->all.begin(), one->all.end());
+    for (const group* one : groups())
+        for (const functions& each : one->all) list.push_back({*jauscat::catalogue::ra_3_3().find(each.code), each});
     return list;
 }
 

@@ -2,12 +2,10 @@
 // compiled once. What is compiled for each message stands in message_group.hpp.
 #pragma once
 #include "support/random_message.hpp"
+#include <jauscat/catalogue/ra_3_3.hpp>
 #include <jauscat/jaus/component/dispatcher.hpp>
-#include <jauscat/text/structure.hpp>
 #include <jauscat/wire/diagnose.hpp>
 
-#include <functional>
-#include <string_view>
 #include <vector>
 
 namespace messages {
@@ -43,22 +41,17 @@ struct judged {
     wire::diagnosis why{};
 };
 
-/// One message of the standard.
-struct message {
-    std::string_view name{}; ///< of its type
+/// What is compiled for the type of a message.
+struct functions {
     std::uint16_t code{};
-    std::size_t min_size{}, max_size{};          ///< bytes of the body
-    const jauscat::text::structure* structure{}; ///< its fields
-    std::size_t object_size{};                   ///< sizeof
-    bool has_lists{};                            ///< decoding takes an arena
+    std::size_t object_size{}; ///< sizeof
+    bool has_lists{};          ///< decoding takes an arena
     encoded (*random)(support::generator&, const support::odds&){};
-    decoded (*decode)(std::span<const std::byte> body){};
+    decoded (*read)(std::span<const std::byte> body){}; ///< in each way
     judged (*judge)(std::span<const std::byte> body){};
-    /// Decodes the body and shows the value. False where it does not decode.
-    bool (*show)(std::span<const std::byte> body, const std::function<void(const void* value)>&){};
-    /// What a value that `fill` makes encodes to; empty where it does not.
-    octets (*build)(const std::function<void(void* value, wire::arena&)>& fill){};
 };
+/// One message of the standard.
+struct message : jauscat::catalogue::entry, functions {};
 
 /// What a typed handler was called with.
 struct handled {
@@ -69,7 +62,7 @@ struct handled {
 
 /// The messages whose codes have the same third hexadecimal digit: a subgroup of the standard.
 struct group {
-    std::span<const message> all{};
+    std::span<const functions> all{};
     /// A dispatcher with a handler for each of them.
     jaus::dispatched (*dispatch)(const jaus::header&, std::span<const std::byte> body, std::vector<handled>&){};
 };

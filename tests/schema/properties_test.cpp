@@ -36,7 +36,7 @@ const std::map<std::uint16_t, std::string_view> tolerant{
 void for_random_bodies(unsigned seed, int rounds, const support::odds& odds, auto check) {
     support::generator g{seed};
     for (const auto& message : messages::all()) {
-        INFO(message.name);
+        INFO(message.name());
         for (int i = 0; i != rounds; ++i) {
             const auto sample = message.random(g, odds);
             INFO(to_hex(sample.bytes));
@@ -65,8 +65,8 @@ TEST_CASE("the tested messages equal those of the catalogue") {
 TEST_CASE("every random message decodes to itself after encoding") {
     for_random_bodies(1, 100, {.exact = true}, [](const messages::message& message, const messages::encoded& sample) {
         REQUIRE(sample.decodes_to_itself);
-        REQUIRE(sample.bytes.size() >= message.min_size);
-        REQUIRE(sample.bytes.size() <= message.max_size);
+        REQUIRE(sample.bytes.size() >= message.min_size());
+        REQUIRE(sample.bytes.size() <= message.max_size());
         REQUIRE(sample.why.error == errc::ok);
     });
 }
@@ -77,7 +77,7 @@ TEST_CASE("every message of the standard is sent by its type") {
 
 TEST_CASE("decoded messages encode to the same bytes, from real and from raw values") {
     for_random_bodies(2, 100, {}, [](const messages::message& message, const messages::encoded& sample) {
-        const auto seen = message.decode(sample.bytes);
+        const auto seen = message.read(sample.bytes);
         REQUIRE(seen.error == errc::ok);
         REQUIRE(seen.raw_error == errc::ok);
         REQUIRE(seen.why.error == errc::ok);
@@ -88,7 +88,7 @@ TEST_CASE("decoded messages encode to the same bytes, from real and from raw val
 
 TEST_CASE("a view shows the same values as decode, in every field and element") {
     for_random_bodies(3, 100, {.present = 0.7}, [](const messages::message& message, const messages::encoded& sample) {
-        const auto seen = message.decode(sample.bytes);
+        const auto seen = message.read(sample.bytes);
         REQUIRE(seen.view_error == errc::ok);
         REQUIRE(seen.view_agrees);
     });
@@ -97,10 +97,10 @@ TEST_CASE("a view shows the same values as decode, in every field and element") 
 TEST_CASE("every body cut inside its structure is truncated, and the field is named") {
     for_random_bodies(4, 20, {.present = 0.7}, [](const messages::message& message, const messages::encoded& sample) {
         if (sample.bytes.size() > 600) return; // quadratic
-        const std::size_t whole = has_tail(message, sample.bytes) ? message.min_size : sample.bytes.size();
+        const std::size_t whole = has_tail(message, sample.bytes) ? message.min_size() : sample.bytes.size();
         for (std::size_t size = 0; size != whole; ++size) {
             CAPTURE(size);
-            const auto seen = message.decode(std::span{sample.bytes}.first(size));
+            const auto seen = message.read(std::span{sample.bytes}.first(size));
             REQUIRE(seen.error == errc::truncated);
             REQUIRE(seen.raw_error == errc::truncated);
             REQUIRE(seen.view_error == errc::truncated);
@@ -117,7 +117,7 @@ TEST_CASE("one extra byte is reported, unless the last field includes it") {
     for_random_bodies(5, 20, {.present = 0.7}, [](const messages::message& message, const messages::encoded& sample) {
         auto longer = sample.bytes;
         longer.push_back(std::byte{'x'});
-        const auto seen = message.decode(longer);
+        const auto seen = message.read(longer);
         if (has_tail(message, sample.bytes)) {
             REQUIRE(seen.error == errc::ok);
             REQUIRE(seen.view_error == errc::ok);
@@ -137,7 +137,7 @@ TEST_CASE("unknown presence bits are refused, or accepted with what follows") {
     int refused = 0, taken = 0;
     for_random_bodies(10, 20, {}, [&](const messages::message& message, const messages::encoded& sample) {
         using text_member = jauscat::text::member;
-        const auto members = message.structure->members;
+        const auto members = message.fields().members;
         if (members.empty() || members[0].what != text_member::role::presence_vector) return;
         const auto known = static_cast<std::size_t>(std::ranges::count_if(members, [](const text_member& one) {
             return one.what == text_member::role::flag || (one.optional && one.gate.owner == nullptr);
@@ -147,7 +147,7 @@ TEST_CASE("unknown presence bits are refused, or accepted with what follows") {
         auto body = sample.bytes;
         body[known / 8] |= std::byte{1} << (known % 8);
         body.insert(body.end(), {std::byte{}, std::byte{}});
-        const auto seen = message.decode(body);
+        const auto seen = message.read(body);
         const auto expected = tolerant.contains(message.code) ? errc::ok : errc::unknown_presence_bit;
         REQUIRE(seen.error == expected);
         REQUIRE(seen.raw_error == expected);
@@ -171,13 +171,13 @@ TEST_CASE("unknown presence bits are refused, or accepted with what follows") {
 TEST_CASE("all readers agree on whether random bytes decode") {
     support::generator g{6};
     for (const auto& message : messages::all()) {
-        INFO(message.name);
+        INFO(message.name());
         for (int i = 0; i != 200; ++i) {
             auto body = message.random(g, {.present = 0.7}).bytes;
             for (std::size_t n = 0; n != 3 && !body.empty(); ++n)
                 body[support::below(g, body.size())] = static_cast<std::byte>(g());
             INFO(to_hex(body));
-            const auto seen = message.decode(body);
+            const auto seen = message.read(body);
             REQUIRE(seen.why.error == seen.error);
             // A raw message takes the one raw value that stands for nothing.
             if (seen.error != errc::out_of_range) REQUIRE(seen.raw_error == seen.error);
@@ -190,7 +190,7 @@ TEST_CASE("a value that does not encode is diagnosed with its field") {
     support::generator g{7};
     std::set<errc> met;
     for (const auto& message : messages::all()) {
-        INFO(message.name);
+        INFO(message.name());
         for (int i = 0; i != 200; ++i) {
             const auto sample = message.random(g, {.present = 0.7, .illegal = 0.1});
             REQUIRE(sample.why.error == sample.error);
@@ -204,7 +204,7 @@ TEST_CASE("a value that does not encode is diagnosed with its field") {
 
 TEST_CASE("lists do not decode without memory for them") {
     for_random_bodies(8, 20, {.present = 0.7}, [](const messages::message& message, const messages::encoded& sample) {
-        const auto seen = message.decode(sample.bytes);
+        const auto seen = message.read(sample.bytes);
         if (!message.has_lists)
             REQUIRE(seen.without_memory == errc::ok);
         else
@@ -216,7 +216,7 @@ TEST_CASE("no message is larger than 8 KiB") {
     auto all = messages::all();
     std::ranges::sort(all, std::ranges::greater{}, &messages::message::object_size);
     for (const auto& message : all) {
-        std::cout << message.object_size << " bytes: " << message.name << '\n';
+        std::cout << message.object_size << " bytes: " << message.name() << '\n';
         CHECK(message.object_size <= 8192);
     }
 }
@@ -226,7 +226,7 @@ TEST_CASE("each message reaches the handler of its type, and an acknowledgement 
     support::generator g{9};
     for (const auto* group : messages::groups()) {
         for (const auto& message : group->all) {
-            INFO(message.name);
+            CAPTURE(message.code);
             std::vector<messages::handled> seen;
             const auto body = message.random(g, {}).bytes;
             jaus::header head{.command_code = message.code, .sequence_number = 34};

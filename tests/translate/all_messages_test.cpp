@@ -135,7 +135,7 @@ TEMPLATE_TEST_CASE("every message with any header and body translates like plain
     std::set<std::uint16_t> codes;
     std::set<std::uint16_t> too_large;
     for (const auto& type : messages::all()) {
-        INFO(type.name);
+        INFO(type.name());
         for (int round = 0; round != 40; ++round) {
             const auto message = random_message(g, type);
             INFO(to_hex(message));
@@ -160,7 +160,7 @@ TEST_CASE("delivery refuses every part of a large data set, and broadcasts that 
     for (const auto& type : messages::all())
         for (const auto& [flag, ul_ext] : plain::flags)
             for (const unsigned node : {0u, 1u, 254u, 255u}) {
-                CAPTURE(type.name, flag, node);
+                CAPTURE(type.name(), flag, node);
                 const jaus::header head{.command_code = type.code,
                                         .destination = {255, 255, static_cast<std::uint8_t>(node), 255},
                                         .data_flag = static_cast<jaus::data_flag>(flag)};

@@ -188,13 +188,13 @@ TEMPLATE_TEST_CASE("every code with any body of its object translates like plain
     std::mt19937_64 g{607};
     const std::size_t overhead = 2 + TestType::rest_size;
     for (const auto& type : messages::all()) {
-        CAPTURE(type.name);
+        CAPTURE(type.name());
         const std::size_t object = [&] {
             using table =
                 std::conditional_t<std::is_same_v<TestType, fixed_seed>, fixed_seed_table, fixed_self_contained_table>;
             return table::object_size(jaus::header{.command_code = type.code});
         }();
-        REQUIRE(object >= std::min<std::size_t>(1540, overhead + type.max_size));
+        REQUIRE(object >= std::min<std::size_t>(1540, overhead + type.max_size()));
         for (std::size_t size = 0; size <= object - overhead;
              size = size == object - overhead ? size + 1 : std::min(object - overhead, size + (size < 40 ? 1 : 83))) {
             auto message = with_code(message_with_body(size), type.code);
@@ -217,7 +217,7 @@ TEMPLATE_TEST_CASE("every valid message fits its fixed object unless no packet c
     for (const auto& type : messages::all())
         for (const double present : {0.0, 0.5, 1.0}) {
             const auto body = type.random(g, {.present = present}).bytes;
-            INFO(type.name << ", " << body.size() << " bytes of body");
+            INFO(type.name() << ", " << body.size() << " bytes of body");
             if (body.size() > jaus::max_body_size) continue; // not one JAUS packet either
             auto message = with_code(message_with_body(body.size()), type.code);
             std::ranges::copy(body, message.begin() + 16);

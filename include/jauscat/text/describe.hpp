@@ -2,9 +2,21 @@
 #pragma once
 #include <jauscat/text/structure_forms.hpp>
 
+#include <algorithm>
+#include <array>
+
 namespace jauscat::text {
 
 namespace detail {
+
+/// `header.data_size`
+template <auto First, auto... Rest>
+inline constexpr auto path = [] {
+    std::array<char, (wire::member_name<First>.size() + ... + (wire::member_name<Rest>.size() + 1))> text{};
+    char* at = std::ranges::copy(wire::member_name<First>, text.data()).out;
+    ((*at++ = '.', at = std::ranges::copy(wire::member_name<Rest>, at).out), ...);
+    return text;
+}();
 
 template <class Count> struct counter_of { // precedes the elements that it counts
     static constexpr bool before = true;
@@ -19,7 +31,8 @@ template <auto Member> struct counter_of<wire::one_less_than<Member>> : counter_
 };
 template <auto A, auto B, auto... More> struct counter_of<wire::counted_by<A, B, More...>> {
     static constexpr bool before = false;
-    static constexpr other_member at{}; // a structure that is written as its bytes
+    // In a structure that is written as its bytes.
+    static constexpr other_member at{.name = {path<A, B, More...>.data(), path<A, B, More...>.size()}};
     static constexpr std::size_t excess = 0;
 };
 template <class Selector> struct selector_of;
@@ -43,20 +56,59 @@ template <auto Flag, class Item> struct flag_of<wire::gated_by<Flag, Item>> {
 };
 
 template <class T, class Item> constexpr void append(member*& out);
-template <class T, class... Items> constexpr void append_all(member*& out, std::tuple<Items...>*) {
-    (append<T, Items>(out), ...);
+template <class T, class Whole, class... Fields> constexpr void append_bits(member*& out, std::tuple<Fields...>*) {
+    unsigned at = 0;
+    const auto append_one = [&]<class Field>() {
+        member* const before = out;
+        append<T, Field>(out);
+        if (out != before) {
+            before->first_bit = at;
+            before->carrier_bits = static_cast<unsigned>(Whole::max_size * 8);
+        }
+        at += static_cast<unsigned>(Field::width);
+    };
+    (append_one.template operator()<Fields>(), ...);
+}
+
+/// Bytes of an item that has a member, where it is present.
+template <class Item> constexpr void set_size(member& made) {
+    if constexpr (requires { typename Item::inner; }) {
+        using value_type = typename access_of<Item>::value_type;
+        made.least = wire::min_size<value_type>;
+        made.most = wire::max_size<value_type>;
+    } else if constexpr (requires { typename Item::codec_type; }) {
+        made.least = made.most = Item::codec_type::size;
+    } else if constexpr (!requires { Item::width; } && !requires { Item::takes_bit; }) {
+        made.least = Item::min_size;
+        made.most = Item::max_size;
+        if constexpr (requires { Item::count_type::prefix_size; }) { // which is a member of its own
+            made.least -= Item::count_type::prefix_size;
+            if (made.most != wire::unbounded) made.most -= Item::count_type::prefix_size;
+        }
+    }
 }
 
 /// Adds the members of an item, in wire order.
 template <class T, class Item> constexpr void append(member*& out) {
     if constexpr (requires { typename Item::fields; }) {
-        append_all<T>(out, static_cast<typename Item::fields*>(nullptr));
+        append_bits<T, Item>(out, static_cast<typename Item::fields*>(nullptr));
     } else if constexpr (requires { typename Item::carrier_codec; }) {
         *out++ = member{.what = member::role::presence_vector,
                         .name = "presence_vector",
                         .how = &number_form<typename Item::carrier_codec>,
-                        .number = &mask_of<T, Item>};
-        Item::all_items([&]<class Inner>() { return append<T, Inner>(out), true; });
+                        .number = &mask_of<T, Item>,
+                        .least = Item::carrier_codec::size,
+                        .most = Item::carrier_codec::size,
+                        .tolerant = Item::tolerant};
+        member& vector = out[-1];
+        Item::all_items([&]<class Inner>() {
+            member* made = out;
+            append<T, Inner>(out);
+            if (!wire::takes_bit<Inner>) return true;
+            for (; made != out; ++made) made->presence_bit = vector.used_bits;
+            ++vector.used_bits;
+            return true;
+        });
     } else if constexpr (requires { typename Item::gated_item; }) {
         append<T, typename Item::gated_item>(out);
         out[-1].gate = flag_of<Item>::at;
@@ -95,12 +147,15 @@ template <class T, class Item> constexpr void append(member*& out) {
                 *out++ = member{.what = member::role::count,
                                 .name = Item::count_type::name(),
                                 .how = &number_form<typename Item::count_type::codec_type>,
-                                .number = &access_of<Item>::size};
+                                .number = &access_of<Item>::size,
+                                .least = Item::count_type::prefix_size,
+                                .most = Item::count_type::prefix_size};
             } else {
                 made.counter = counter::at;
                 made.counter_excess = counter::excess;
             }
         }
+        if (made.what != member::role::not_on_wire) set_size<Item>(made);
         *out++ = made;
     }
 }
@@ -124,7 +179,11 @@ inline constexpr auto members_of = [] {
     return made;
 }();
 template <class T>
-inline constexpr structure structure_of{.id = &type_id<T>, .name = wire::type_name<T>(), .members = members_of<T>};
+inline constexpr structure structure_of{.id = &type_id<T>,
+                                        .name = wire::type_name<T>(),
+                                        .members = members_of<T>,
+                                        .least = wire::min_size<T>,
+                                        .most = wire::max_size<T>};
 
 } // namespace detail
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,7 @@ struct integer_form {
     unsigned bits{};                           ///< of the value on the wire
     std::string_view unit{};                   ///< empty: none
     std::span<const std::string_view> names{}; ///< of enumerators or bits, by number; empty where one has no name
+    std::string_view type{};                   ///< name of the enumeration of `names`
     std::uint64_t (*get)(const void* value){}; ///< a negative number in two's complement
     void (*set)(void* value, std::uint64_t){};
 };
@@ -34,6 +36,7 @@ struct integer_form {
 struct real_form {
     std::string_view unit{};                         ///< empty: none
     double most{std::numeric_limits<double>::max()}; ///< largest finite number it holds
+    unsigned bits{};                                 ///< on the wire
     double (*get)(const void* value){};
     void (*set)(void* value, double){};
 };
@@ -57,6 +60,7 @@ struct octets_form {
     std::size_t least{}, most{}; ///< how many there may be
     bool zero_filled{};          ///< zeros at the end are not part of the value
     bool zero_terminated{};      ///< may not contain a zero
+    bool to_the_end{};           ///< of the body; `zero_filled`: as many or fewer are received
     std::span<const std::byte> (*get)(const void* value){};
     void (*set)(void* value, std::span<const std::byte>){}; ///< may keep pointing at them
 };
@@ -78,6 +82,7 @@ struct packed_form {
 
 /// A structure shown as bytes: a message inside a message.
 struct encoded_form {
+    const structure* of{};                                     ///< its members
     std::vector<std::byte> (*encode)(const void* value){};     ///< empty where it does not encode
     bool (*decode)(void* value, std::span<const std::byte>){}; ///< may keep pointing at the bytes
 };
@@ -97,7 +102,7 @@ struct list_form {
 
 /// A member of the structure `owner`, by its id: the current one or an enclosing one.
 struct other_member {
-    const void* owner{};     ///< nullptr: there is none
+    const void* owner{};     ///< nullptr: there is none, or `name` is a path into another member
     std::string_view name{}; ///< of the member
     std::uint64_t (*get)(const void* object){};
     void (*set)(void* object, std::uint64_t){};
@@ -150,6 +155,11 @@ struct member {
     other_member counter{};                        ///< the member with its number of elements
     std::size_t counter_excess{};                  ///< by how much the counter is larger
     other_member tag{};                            ///< the member that selects among a choice_form's cases
+    std::size_t least{}, most{};                   ///< bytes on the wire where it is present; 0 for a bit-field
+    std::optional<unsigned> presence_bit{};        ///< of the presence vector before it
+    unsigned first_bit{}, carrier_bits{};          ///< of a bit-field: where it begins in an integer of so many bits
+    unsigned used_bits{};                          ///< of a presence vector: so many have a meaning
+    bool tolerant{};                               ///< of a presence vector: other bits are ignored
 };
 
 /// Description of a message or another structure.
@@ -157,6 +167,7 @@ struct structure {
     const void* id{};                  ///< the same for the same type
     std::string_view name{};           ///< of its type
     std::span<const member> members{}; ///< in wire order
+    std::size_t least{}, most{};       ///< bytes
 };
 
 /// A structure with its value, and the enclosing scope.

@@ -57,7 +57,7 @@ template <class Carrier, class... Fields> struct packing<wire::layout<wire::bit_
 template <class T> constexpr form form_by_structure() {
     using packed = packing<wire::layout_of<T>>;
     if constexpr (told_as_bytes<T>()) {
-        return {encoded_form{&encoded<T>, &decoded<T>}};
+        return {encoded_form{&describe<T>(), &encoded<T>, &decoded<T>}};
     } else if constexpr (packed::whole) {
         packed_form made{.of = &describe<T>(),
                          .bits = packed::bits,

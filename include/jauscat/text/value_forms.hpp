@@ -76,9 +76,11 @@ template <class Value> constexpr integer_form integer_of(unsigned bits, std::str
     if constexpr (requires { typename Value::bit_type; }) {
         made.what = integer_form::meaning::flags;
         made.names = std::span{enumerator_names<typename Value::bit_type>}.first(bits);
+        made.type = wire::type_name<typename Value::bit_type>();
     } else if constexpr (std::is_enum_v<Value>) {
         made.what = integer_form::meaning::enumeration;
         made.names = enumerator_names<Value>;
+        made.type = wire::type_name<Value>();
     } else if constexpr (std::is_same_v<Value, bool>) {
         made.what = integer_form::meaning::boolean;
     } else {
@@ -105,6 +107,7 @@ template <class Value, class Codec> constexpr form form_by_codec() {
     } else if constexpr (std::floating_point<Value>) {
         return {real_form{.unit = unit_of<Codec>(),
                           .most = static_cast<double>(std::numeric_limits<typename Codec::value_type>::max()),
+                          .bits = static_cast<unsigned>(Codec::size * 8),
                           .get = &simple<Value>::get_real,
                           .set = &simple<Value>::set_real}};
     } else if constexpr (requires { std::tuple_size<Value>::value; }) {
@@ -141,6 +144,10 @@ template <auto M, std::size_t N> inline constexpr bool zero_filled<wire::lenient
 template <class Item> inline constexpr bool zero_terminated = false;
 template <auto M> inline constexpr bool zero_terminated<wire::terminated_run<M>> = true;
 
+template <class Item> inline constexpr bool to_the_end = false;
+template <auto M> inline constexpr bool to_the_end<wire::run_to_end<M>> = true;
+template <auto M, std::size_t N> inline constexpr bool to_the_end<wire::lenient_run<M, N>> = true;
+
 template <class Item> constexpr std::size_t most_of() {
     if constexpr (requires { Item::count_type::limit; })
         return Item::count_type::limit;
@@ -153,6 +160,7 @@ inline constexpr form octets_run_form{
                 .most = most_of<Item>(),
                 .zero_filled = zero_filled<Item>,
                 .zero_terminated = zero_terminated<Item>,
+                .to_the_end = to_the_end<Item>,
                 .get = &octets_of<typename Item::value_type>,
                 .set = &point_at<typename Item::value_type>}};
 

@@ -77,6 +77,7 @@ inline constexpr bool takes_bit<Item> = true;
 template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_group {
     static_assert((detail::checked_item<Items> && ... && true), "presence: an item lacks an operation");
     using carrier_codec = Carrier;
+    static constexpr bool tolerant = Unknown == unknown_bits::tolerated; ///< bits that it does not know
     using mask_type = word_for<Carrier>;
     using keys = joined_keys<typename Items::keys...>;
     static constexpr bool optional = false;
