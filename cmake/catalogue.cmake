@@ -4,7 +4,7 @@ function(jauscat_add_catalogue sources text)
     if(JAUSCAT_CATALOGUE_SUBGROUPS)
         list(TRANSFORM JAUSCAT_CATALOGUE_SUBGROUPS REPLACE "(.+)" "${sources}/catalogue/\\1.cpp" OUTPUT_VARIABLE files)
         list(APPEND files ${sources}/catalogue/ra_3_3.cpp)
-        list(JOIN JAUSCAT_CATALOGUE_SUBGROUPS "(),"  calls)
+        list(JOIN JAUSCAT_CATALOGUE_SUBGROUPS "()," calls)
         set_source_files_properties(${sources}/catalogue/ra_3_3.cpp PROPERTIES
             COMPILE_DEFINITIONS "JAUSCAT_CATALOGUE_SUBGROUPS=${calls}()")
     else()

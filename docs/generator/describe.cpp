@@ -44,7 +44,7 @@ struct teller {
 
     void operator()(const text::integer_form& integer) const {
         using meaning = text::integer_form::meaning;
-        one.type = type_on_wire(integer.is_signed ? "i" : "u", integer.bits);
+        tell_number(integer.is_signed ? "i" : "u", integer.bits);
         one.unit = integer.unit;
         if (integer.what == meaning::flags || integer.what == meaning::enumeration)
             one.names = names_of(integer);
@@ -52,11 +52,11 @@ struct teller {
             one.range = limits_of(integer.is_signed, integer.bits);
     }
     void operator()(const text::real_form& real) const {
-        one.type = type_on_wire("f", real.bits);
+        tell_number("f", real.bits);
         one.unit = real.unit;
     }
     void operator()(const text::scaled_form& scaled) const {
-        one.type = type_on_wire(scaled.is_signed ? "i" : "u", scaled.bits);
+        tell_number(scaled.is_signed ? "i" : "u", scaled.bits);
         one.unit = scaled.unit;
         one.range = number(scaled.min) + " to " + number(scaled.max);
         one.step = number(scaled.to_real(1) - scaled.to_real(0), 3);
@@ -85,7 +85,6 @@ struct teller {
         } else {
             part element{.what = part::kind::value, .name = std::string{list.field}, .owner = one.owner};
             std::visit(teller{element}, list.element->is);
-            element.least = element.most = static_cast<std::size_t>(std::stoul(element.type.substr(1))) / 8;
             one.owner.clear(); // the member is the value in the element
             one.parts.push_back(std::move(element));
         }
@@ -104,6 +103,10 @@ struct teller {
     }
 
   private:
+    void tell_number(const char* kind, unsigned bits) const {
+        one.type = type_on_wire(kind, bits);
+        one.least = one.most = bits / 8;
+    }
     void tell_structure(const text::structure& of) const {
         one.what = part::kind::record;
         one.type = of.name;
@@ -121,8 +124,6 @@ struct teller {
     void add_case(const text::choice_case& each) const {
         part made{.what = part::kind::value};
         if (each.how != nullptr) std::visit(teller{made}, each.how->is);
-        if (each.how != nullptr && made.what == part::kind::value)
-            made.least = made.most = static_cast<std::size_t>(std::stoul(made.type.substr(1))) / 8;
         const enumeration::entry tag{each.tag, {}};
         for (part& known : one.parts) {
             if (known.what == part::kind::record || known.type != made.type || known.range != made.range) continue;
