@@ -25,7 +25,7 @@ struct arm {
     template <class T> message_outcome hear(const T& body, jaus::address from, instant now = 0s) {
         const auto bytes = message({.destination = self, .source = from, .sequence_number = 9}, body);
         const auto m = jaus::split(bytes);
-        control.heard(from, now);
+        control.heard(m.header, now);
         if (!control.admits(m.header)) return message_outcome::refused;
         return control.on_message(m.header, m.body, now, sent.sink());
     }
@@ -185,7 +185,7 @@ TEST_CASE("a silent controller is queried for its heartbeat after a quarter of t
         a.sent.clear();
     }
     REQUIRE(a.control.next_event() == instant{11s});
-    a.control.heard(other, instant{10900ms});
+    a.control.heard({.source = other}, instant{10900ms});
     a.control.on_time(instant{11s - 1ns}, a.sent.sink());
     REQUIRE(a.control.controls(ocu));
     REQUIRE(a.sent.empty());
@@ -200,7 +200,8 @@ TEST_CASE("a silent controller is queried for its heartbeat after a quarter of t
     REQUIRE(a.sent.size() == 1);
 }
 
-TEST_CASE("any message of the controller proves liveness, and its heartbeat counts for the control that queried it") {
+TEST_CASE("any message of the controller but a heartbeat query proves liveness, and its heartbeat counts for the "
+          "control that queried it") {
     arm a{{.timeout = 1s}};
     a.request(1, ocu, 10s);
     const jaus::header pulse{.command_code = 0x4202, .destination = self, .source = ocu};
@@ -208,7 +209,9 @@ TEST_CASE("any message of the controller proves liveness, and its heartbeat coun
     a.control.on_time(instant{10900ms}, a.sent.sink()); // late: asked once, not three times
     REQUIRE(a.sent.size() == 2);
     REQUIRE(a.control.next_event() == instant{11s});
-    a.control.heard(ocu, instant{10950ms});
+    a.control.heard({.command_code = 0x2202, .destination = self, .source = ocu}, instant{10950ms}); // by its node
+    REQUIRE(a.control.next_event() == instant{11s});
+    a.control.heard(pulse, instant{10950ms});
     REQUIRE(a.control.next_event() == instant{11200ms});
     REQUIRE_FALSE(a.control.takes_pulse({.command_code = 0x4202, .destination = self, .source = other}));
     REQUIRE_FALSE(a.control.takes_pulse({.command_code = 0x4002, .destination = self, .source = ocu}));
@@ -299,7 +302,7 @@ TEST_CASE("after a bad network both sides agree on the controller, if silent con
         std::array operators{jaus::held_control{ocu, self, keep}, jaus::held_control{other, self, keep}};
         const auto out = network.sink();
         network.listen(self, [&](const jaus::header& head, std::span<const std::byte> body) {
-            control.heard(head.source, network.now);
+            control.heard(head, network.now);
             if (control.admits(head)) control.on_message(head, body, network.now, out);
         });
         network.work([&] {

@@ -115,6 +115,31 @@ TEST_CASE("what a component has requested or moved ends with it, although its no
     REQUIRE(robot.disappeared.empty());
 }
 
+TEST_CASE("a heartbeat query is no sign of life of the component that it names") {
+    net::detail::peer_watch watch{3s};
+    const auto self = make(2, 1, 33), peer = make(1, 1, 32);
+    const auto hear = [&](std::uint16_t code, instant now) {
+        return watch.heard({.command_code = code, .destination = self, .source = peer}, now);
+    };
+    unsigned asked = 0, lost = 0;
+    const auto wait = [&](instant now) {
+        watch.on_time(
+            now, [](const jaus::address&) { return false; }, [&](std::span<const std::byte>) { ++asked; },
+            [&](const jaus::address&) { ++lost; });
+    };
+    REQUIRE(watch.bind(peer, self, instant{0s}));
+    wait(instant{1s});
+    REQUIRE(asked == 1);
+    CHECK(hear(0x4202, instant{1500ms})); // the answer
+    wait(instant{2500ms});
+    REQUIRE(asked == 2);
+    CHECK_FALSE(hear(0x2202, instant{4s}));
+    wait(instant{4499ms});
+    CHECK(lost == 0);
+    wait(instant{4500ms});
+    CHECK(lost == 1);
+}
+
 TEST_CASE("a peer with very many components leaves places to be watched to others") {
     net::detail::peer_watch watch{3s};
     const auto self = make(2, 1, 33);

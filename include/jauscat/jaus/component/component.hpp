@@ -162,7 +162,7 @@ template <class... Parts> class component {
     constexpr component_outcome take(const header& head, std::span<const std::byte> body, time_point now,
                                      message_sink out, auto& application) {
         // A large data set may have waited in the node of its sender: it is no sign of the component's life.
-        if (body.size() <= max_body_size) control_.heard(head.source, now);
+        if (body.size() <= max_body_size) control_.heard(head, now);
         if (is_acknowledgement(head)) {
             return sender_.on_message(head, delivered_hook()) ? component_outcome::acknowledgement
                                                               : component_outcome::unmatched_acknowledgement;

@@ -83,8 +83,9 @@ class component_control {
     /// The same, without counting.
     [[nodiscard]] JAUSCAT_CONSTEXPR bool would_admit(const header& head) const noexcept;
     /// Call for every received message, also repetitions and acknowledgements: messages of the controller keep its
-    /// control alive.
-    JAUSCAT_CONSTEXPR void heard(const address& who, time_point now) noexcept;
+    /// control alive. Query Heartbeat Pulse (2202h) does not: nodes send it in the name of their components, also of
+    /// one that hangs.
+    JAUSCAT_CONSTEXPR void heard(const header& head, time_point now) noexcept;
     /// Whether this message is the heartbeat pulse that was requested from the controller.
     JAUSCAT_CONSTEXPR bool takes_pulse(const header& head) noexcept;
     [[nodiscard]] JAUSCAT_CONSTEXPR bool controls(const address& who) const noexcept;

@@ -24,13 +24,14 @@ JAUSCAT_CONSTEXPR bool component_control::would_admit(const header& head) const 
     return !needs_control || rule_of_it == command_rule::open;
 }
 
-JAUSCAT_CONSTEXPR void component_control::heard(const address& who, time_point now) noexcept {
+JAUSCAT_CONSTEXPR void component_control::heard(const header& head, time_point now) noexcept {
+    if (head.command_code == command_code_of<query_heartbeat_pulse>) return;
     const auto hear = [&](watch& life) {
         life.heard = now;
         life.asked = 0;
     };
-    if (controls(who)) hear(life_);
-    if (mover* const found = mover_of(who)) hear(found->life);
+    if (controls(head.source)) hear(life_);
+    if (mover* const found = mover_of(head.source)) hear(found->life);
 }
 
 JAUSCAT_CONSTEXPR bool component_control::takes_pulse(const header& head) noexcept {
@@ -192,7 +193,7 @@ JAUSCAT_CONSTEXPR void component_control::request(const header& head, std::uint8
     last_change_ = is_other ? control_change::taken_over : control_change::granted;
     if (!is_controller) life_ = {};
     controller_ = jaus::controller{head.source, authority};
-    heard(head.source, now);
+    heard(head, now);
     static_cast<void>(answer(head, self_, confirm_component_control{control_accepted}, out));
 }
 

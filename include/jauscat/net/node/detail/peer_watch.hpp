@@ -51,12 +51,14 @@ class peer_watch {
         next_ = std::min(next_, bound.due);
         return true;
     }
-    /// Call for each received message. True if it is the answer to a query of this object.
+    /// Call for each received message. True if it is the answer to a query of this object. A Query Heartbeat Pulse is
+    /// no sign of life: the peer's own watch sends it in the name of a component that may hang.
     bool heard(const jaus::header& head, time_point now) {
         if (peers_.empty()) return false;
         const auto found = peers_.find(head.source);
         if (found == peers_.end()) return false;
         auto& peer = found->second;
+        if (head.command_code == jaus::command_code_of<jaus::query_heartbeat_pulse>) return false;
         peer.heard_at = now;
         const bool answers = head.command_code == jaus::command_code_of<jaus::report_heartbeat_pulse> &&
                              !jaus::is_acknowledgement(head) && head.destination == peer.component;
