@@ -90,12 +90,12 @@ std::string block(const std::string& title, std::span<const std::byte> whole, co
 }
 
 template <class Table> std::string stages(const std::string& table, const bytes& message) {
-    using delivery = bridging::delivery<Table>;
-    bytes packet(delivery::translator::max_packet_size);
-    const auto translated = delivery::translator::to_packet(message, packet);
+    using stage = bridging::delivery<Table>;
+    bytes packet(stage::translator::max_packet_size);
+    const auto translated = stage::translator::to_packet(message, packet);
     if (!translated) throw std::logic_error{"the message does not translate"};
     packet.resize(translated->size());
-    const auto object = delivery::object_of(packet);
+    const auto object = stage::object_of(packet);
     std::string out = block("The packet, " + table, packet,
                             dissection{packet}
                                 .parts<jauscat::hilscher::sdo_download_request>()

@@ -94,7 +94,8 @@ constexpr jaus::address leg{.instance = 1, .component = 33, .node = 3, .subsyste
 
 /// A ring, a bus, the nodes of operator and arm in one io_context.
 struct bench {
-    explicit bench(std::size_t slaves = 1, const jauscat::bus_options& bus_options = {.frame_timeout = 5ms},
+    explicit bench(std::size_t slaves = 1,
+                   const jauscat::bus_options& bus_options = {.frame_timeout = jauscat::test::frame_timeout},
                    ethercat::clock_width clock = ethercat::clock_width::no_clock)
         : ring{slaves, clock} {
         auto options = bus_options;
@@ -308,7 +309,7 @@ TEST_CASE("a bus that ends first says whether its slaves are at rest") {
 TEST_CASE("an application logs each step of a bridge itself") {
     std::vector<std::string> steps{};
     std::size_t frames_out{}, frames_in{};
-    jauscat::bus_options options{.frame_timeout = 5ms};
+    jauscat::bus_options options{.frame_timeout = jauscat::test::frame_timeout};
     options.on_frame = [&](const jauscat::passing_frame& frame) { ++(frame.is_sent ? frames_out : frames_in); };
     bench b{1, options};
     auto of_node = b.config.of("arm", b.lines);
@@ -423,7 +424,7 @@ TEST_CASE("a slave that is not there, or another one, is not served") {
 
 TEST_CASE("a bus works in a thread of its own") {
     const auto period = GENERATE(0ms, 5ms);
-    bench b{2, {.frame_timeout = 5ms, .thread = true}};
+    bench b{2, {.frame_timeout = jauscat::test::frame_timeout, .thread = true}};
     b.serve({.position = 0}, {.period = period});
     b.start();
     REQUIRE(b.drive(40));
@@ -481,7 +482,9 @@ TEST_CASE("in cycles with SYNC signals the components of a bridge are ready in O
     jauscat::net::slave_entry first{.name = "shoulder", .position = 0}, second{.name = "elbow", .position = 1};
     first.sync.emplace();
     second.sync.emplace().shift = 100'000;
-    bench b{2, {.slaves = {first, second}, .frame_timeout = 5ms, .thread = thread}, ethercat::clock_width::bits_64};
+    bench b{2,
+            {.slaves = {first, second}, .frame_timeout = jauscat::test::frame_timeout, .thread = thread},
+            ethercat::clock_width::bits_64};
     b.ring.with(0, [](auto& each) { each.slave.set_clock_error({.drift = 80'000, .start = 1'000'000'000}); });
     b.ring.with(1, [](auto& each) { each.slave.set_clock_error({.drift = -60'000, .start = 7'000'000'000}); });
     b.serve({.name = "shoulder"}, {.at_rest_within = 2s, .period = 5ms});
@@ -531,7 +534,7 @@ TEST_CASE("a component has a process image by tables of the application's") {
 TEST_CASE("a component in front of several slaves drives each, and rests when one is lost") {
     const bool thread = GENERATE(false, true);
     constexpr std::size_t joints = 3;
-    bench b{joints, {.frame_timeout = 5ms, .thread = thread}};
+    bench b{joints, {.frame_timeout = jauscat::test::frame_timeout, .thread = thread}};
     b.bridge.emplace(*b.robot, *b.bus, translation::seed_table{}, jauscat::bridge_options{.period = 10ms});
     std::vector<jauscat::slave> slaves;
     for (std::uint16_t i = 0; i != joints; ++i) slaves.push_back(b.bus->slave({.position = i}));
@@ -560,7 +563,10 @@ TEST_CASE("a named slave is served wherever it is, and never another one in its 
     const auto period = GENERATE(0ms, 10ms);
     enum class loss { reset, state, cable };
     const auto what = GENERATE(loss::reset, loss::state, loss::cable);
-    bench b{2, {.slaves = {{.name = "elbow", .alias = 103}}, .check_interval = 20ms, .frame_timeout = 5ms}};
+    bench b{2,
+            {.slaves = {{.name = "elbow", .alias = 103}},
+             .check_interval = 20ms,
+             .frame_timeout = jauscat::test::frame_timeout}};
     b.ring.connect({0});
     b.serve({.name = "elbow"}, {.period = period});
     b.start();
@@ -600,7 +606,7 @@ TEST_CASE("a component in front of named slaves works again when one of them com
     bench b{3,
             {.slaves = {{.name = "a", .alias = 102}, {.name = "b", .alias = 103}, {.name = "c", .alias = 104}},
              .check_interval = 20ms,
-             .frame_timeout = 5ms,
+             .frame_timeout = jauscat::test::frame_timeout,
              .thread = thread}};
     b.bridge.emplace(*b.robot, *b.bus, translation::seed_table{}, jauscat::bridge_options{.period = 10ms});
     std::vector<jauscat::slave> slaves;

@@ -1,4 +1,5 @@
 // A bus of emulated slaves: found, read, written, watched; and every way in which that fails.
+#include "app/cancellation_slots.hpp"
 #include "app/emulated_bus.hpp"
 #include "support/catch.hpp"
 #include "support/until.hpp"
@@ -8,11 +9,6 @@
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/asio/use_future.hpp>
-#include <boost/version.hpp>
-#if BOOST_VERSION >= 107700
-#    include <boost/asio/bind_cancellation_slot.hpp>
-#    include <boost/asio/cancellation_signal.hpp>
-#endif
 
 #include <chrono>
 #include <optional>
@@ -331,7 +327,8 @@ TEST_CASE("emergencies of slaves are called back") {
 }
 
 TEST_CASE("a pulled cable is reported at once, and work goes on when it is back") {
-    bench b{three(), {.timeout = 1s, .check_interval = 20ms, .frame_timeout = 5ms, .frame_retries = 3}};
+    bench b{three(),
+            {.timeout = 1s, .check_interval = 20ms, .frame_timeout = jauscat::test::frame_timeout, .frame_retries = 3}};
     REQUIRE_FALSE(b.start());
     b.ring.is_silent = true;
     const auto drive = b.bus->slave(first);
@@ -379,12 +376,12 @@ TEST_CASE("a start without slaves, without answers and with garbage fails") {
         CHECK(std::get<0>(b.read<bool>(b.bus->slave(first), 0x2000, 0)) == bus_errc::not_started);
     }
     SECTION("silence") {
-        bench b{three(), {.frame_timeout = 5ms, .frame_retries = 3}};
+        bench b{three(), {.frame_timeout = jauscat::test::frame_timeout, .frame_retries = 3}};
         b.ring.is_silent = true;
         CHECK(b.start() == bus_errc::no_reply);
     }
     SECTION("garbage") {
-        bench b{three(), {.frame_timeout = 5ms, .frame_retries = 3}};
+        bench b{three(), {.frame_timeout = jauscat::test::frame_timeout, .frame_retries = 3}};
         b.ring.is_garbage = true;
         CHECK(b.start() == bus_errc::no_reply);
         b.ring.is_garbage = false;
@@ -513,7 +510,12 @@ TEST_CASE("a bus may end in its own callbacks, and with its io_context before it
 }
 
 TEST_CASE("a bus in a thread of its own") {
-    bench b{three(), {.check_interval = 10ms, .frame_timeout = 5ms, .frame_retries = 3, .thread = true, .priority = 1}};
+    bench b{three(),
+            {.check_interval = 10ms,
+             .frame_timeout = jauscat::test::frame_timeout,
+             .frame_retries = 3,
+             .thread = true,
+             .priority = 1}};
     REQUIRE_FALSE(b.start());
     const auto drive = b.bus->slave(first);
     CHECK_FALSE(b.write(drive, 0x2000, 0, std::uint32_t{7}));
@@ -563,10 +565,13 @@ TEST_CASE("a bus may be stopped by its own report of a fault") {
     const bool has_thread = GENERATE(false, true);
     bus* stopped{};
     int faults = 0;
-    bench b{three(), {.frame_timeout = 5ms, .thread = has_thread, .on_fault = [&](link_fault, std::string_view) {
-                          ++faults;
-                          stopped->stop();
-                      }}};
+    bench b{three(),
+            {.frame_timeout = jauscat::test::frame_timeout,
+             .thread = has_thread,
+             .on_fault = [&](link_fault, std::string_view) {
+                 ++faults;
+                 stopped->stop();
+             }}};
     stopped = &*b.bus;
     REQUIRE_FALSE(b.start());
     b.ring.on_way_back([](std::span<std::byte> frame) { frame[23] |= std::byte{0x40}; }); // the circulating bit

@@ -1,19 +1,16 @@
 // Operations that are cancelled through their cancellation slot, which Boost 1.77 and later has.
+#include "app/cancellation_slots.hpp"
 #include "two_nodes.hpp"
 #include <jauscat/schema/jaus/platform.hpp>
 
-#include <boost/version.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include <chrono>
+#include <memory>
+#include <optional>
 
 #if BOOST_VERSION >= 107700
-#    include <boost/asio/bind_cancellation_slot.hpp>
-#    include <boost/asio/cancellation_signal.hpp>
-#    include <boost/asio/post.hpp>
-#    include <boost/asio/steady_timer.hpp>
-
-#    include <chrono>
-#    include <memory>
-#    include <optional>
-
 namespace {
 
 using namespace app_test;

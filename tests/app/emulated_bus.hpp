@@ -32,6 +32,9 @@
 
 namespace jauscat::test {
 
+/// For `bus_options`: longer than a busy machine keeps the thread of the slaves waiting.
+inline constexpr std::chrono::milliseconds frame_timeout{100};
+
 /// A slave with objects of its own.
 struct emulated_slave {
     emulated_slave(const ethercat::slave_description& d, bool is_described)

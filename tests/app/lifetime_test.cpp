@@ -542,7 +542,8 @@ struct robot_bench : two_nodes {
     jauscat::test::emulated_bus ring{{{.vendor = 7, .product = 1, .name = "arm"}}};
     std::optional<std::string> result{};
     std::unique_ptr<jauscat::bus> bus = std::make_unique<jauscat::bus>(
-        context, ring.where(), jauscat::bus_options{.frame_timeout = 100ms, .log = [](std::string_view) {}});
+        context, ring.where(),
+        jauscat::bus_options{.frame_timeout = jauscat::test::frame_timeout, .log = [](std::string_view) {}});
     std::unique_ptr<jauscat::node> robot = std::make_unique<jauscat::node>(context, options("robot"));
     std::unique_ptr<jauscat::bridge> bridge =
         std::make_unique<jauscat::bridge>(*robot, *bus, jauscat::translation::seed_table{});

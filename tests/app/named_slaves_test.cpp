@@ -70,7 +70,7 @@ struct bench {
         bus.emplace(context, ring.where(),
                     bus_options{.slaves = std::move(names),
                                 .check_interval = 20ms,
-                                .frame_timeout = 100ms, // longer than a busy machine keeps a thread waiting
+                                .frame_timeout = jauscat::test::frame_timeout,
                                 .log = [this](std::string_view line) { lines.emplace_back(line); }});
         bus->when_lost([this](const slave_info& who, error_code why) { lost.emplace_back(who.configured_name, why); });
         bus->when_found([this](const slave_info& who) { found.emplace_back(who.configured_name, who.position); });

@@ -46,7 +46,7 @@ struct bench {
             });
         bus.emplace(context, ring.where(),
                     bus_options{.check_interval = 20ms,
-                                .frame_timeout = 5ms,
+                                .frame_timeout = jauscat::test::frame_timeout,
                                 .thread = thread,
                                 .log = [this](std::string_view line) { lines.emplace_back(line); }});
         bus->when_lost([this](const slave_info& who, error_code why) { lost.emplace_back(who.position, why); });

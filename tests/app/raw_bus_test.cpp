@@ -29,11 +29,11 @@ TEST_CASE("a bus on a network interface finds its slaves, loses them with the ca
     boost::asio::io_context context;
     std::vector<std::string> lines;
     std::vector<std::uint16_t> lost, found;
-    std::optional<bus> bus{
-        std::in_place, context, ring.where(),
-        bus_options{.check_interval = 10ms, .frame_timeout = 20ms, .thread = thread, .log = [&](std::string_view line) {
-                        lines.emplace_back(line);
-                    }}};
+    std::optional<bus> bus{std::in_place, context, ring.where(),
+                           bus_options{.check_interval = 10ms,
+                                       .frame_timeout = jauscat::test::frame_timeout,
+                                       .thread = thread,
+                                       .log = [&](std::string_view line) { lines.emplace_back(line); }}};
     bus->when_lost([&](const slave_info& who, error_code) { lost.push_back(who.position); });
     bus->when_found([&](const slave_info& who) { found.push_back(who.position); });
     const auto wait = [&](auto done) { return support::until(context, done); };

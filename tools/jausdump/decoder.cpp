@@ -60,11 +60,11 @@ void tell_payload(decoded_body& body, const payload_members& members, std::size_
         body.fault.depth = 1;
         return;
     }
-    std::vector<std::byte> bytes(members.elements.size());
-    const auto written = jaus::encode_payload_elements(elements, bytes);
+    std::vector<std::byte> all(members.elements.size());
+    const auto written = jaus::encode_payload_elements(elements, all);
     body.encoded.resize(bytes_before);
-    body.encoded.insert(body.encoded.end(), bytes.begin(),
-                        bytes.begin() + static_cast<std::ptrdiff_t>(written ? written->size() : 0));
+    body.encoded.insert(body.encoded.end(), all.begin(),
+                        all.begin() + static_cast<std::ptrdiff_t>(written ? written->size() : 0));
     if (!body.fields.is_null()) body.fields["element"] = std::move(told);
     body.text += lines;
 }

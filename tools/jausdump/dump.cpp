@@ -33,13 +33,13 @@ std::string name_of(std::uint16_t command_code) {
 
 /// Why a datagram without the prefix is no JAUS message; empty where it may be one. What only has a wrong size is one,
 /// if its command code is the standard's: a broken one.
-std::string why_no_message(std::span<const std::byte> bytes) {
+std::string why_no_message(std::span<const std::byte> datagram) {
     jaus::header head{};
-    if (!wire::decode_prefix(head, bytes)) return "not JAUS: shorter than a header";
+    if (!wire::decode_prefix(head, datagram)) return "not JAUS: shorter than a header";
     if (head.version > 2 || head.reserved != 0) return "not JAUS: not the first bytes of a header";
     if (!names_one_component(head.source)) return "not JAUS: no component is the source";
     const bool known = is_known(head.command_code);
-    if (head.data_size != bytes.size() - jaus::header_size && !known)
+    if (head.data_size != datagram.size() - jaus::header_size && !known)
         return "not JAUS: the size in the header is another";
     return {};
 }
@@ -53,11 +53,11 @@ template <class Table> std::string packet_of(std::span<const std::byte> message)
 
 /// Header and body again, from the decoded header and the body that was encoded from the decoded values.
 std::string encoded_again(jaus::header head, std::span<const std::byte> body) {
-    std::vector<std::byte> bytes(jaus::header_size);
+    std::vector<std::byte> message(jaus::header_size);
     head.data_size = static_cast<std::uint16_t>(body.size());
-    if (const auto result = wire::encode(head, bytes); !result) return error_name(result.error());
-    bytes.insert(bytes.end(), body.begin(), body.end());
-    return text::detail::plain_hex(bytes);
+    if (const auto result = wire::encode(head, message); !result) return error_name(result.error());
+    message.insert(message.end(), body.begin(), body.end());
+    return text::detail::plain_hex(message);
 }
 
 } // namespace

@@ -29,10 +29,10 @@ std::string time_text(std::chrono::nanoseconds since_1970, const char* format) {
 }
 
 std::string columns(const std::string& number, const std::string& time, const std::string& code,
-                    const std::string& name, const std::string& bytes, const std::string& from, const std::string& to,
+                    const std::string& name, const std::string& size, const std::string& from, const std::string& to,
                     const std::string& sequence) {
     return padded(number, 7, true) + "  " + padded(time, 15) + "  " + padded(code, 6) + "  " + padded(name, 38) +
-           padded(bytes, 6, true) + "  " + padded(from, 15) + " -> " + padded(to, 15) + "  " + sequence;
+           padded(size, 6, true) + "  " + padded(from, 15) + " -> " + padded(to, 15) + "  " + sequence;
 }
 
 std::string flags_text(const jaus::header& head) {
