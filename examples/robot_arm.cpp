@@ -69,9 +69,7 @@ std::optional<std::uint8_t> node_of(const boost::program_options::variables_map&
     return static_cast<std::uint8_t>(node);
 }
 
-template <class Table> int serve(auto& link, const std::string& where, const auto& values) {
-    const auto config = example::load_config(values);
-    const auto subsystem = config.me().jausip.subsystem;
+template <class Table> int serve(auto& link, const std::string& where, std::uint8_t subsystem, const auto& values) {
 
     example::arm* arm_of_display = nullptr;
     const example::speaker say{"arm"};
@@ -163,8 +161,10 @@ int main(int argc, char** argv) {
         example::add_mailbox_option(options);
         example::add_link_options(options);
         const auto values = example::parse(argc, argv, options, help);
+        const auto subsystem = example::load_config(values).me().jausip.subsystem;
         return example::with_link(values, example::link_end::slave, [&](auto& link, const std::string& where) {
-            return example::with_table(values, [&]<class Table>() { return serve<Table>(link, where, values); });
+            return example::with_table(values,
+                                       [&]<class Table>() { return serve<Table>(link, where, subsystem, values); });
         });
     });
 }

@@ -118,6 +118,9 @@ def efforts_of(body):
             at += struct.calcsize(form)
     return values
 
+# Of a controller: longer than a busy machine keeps a program waiting.
+patience = ["--frame-timeout", "200", "--stop-within", "2000"]
+
 
 def positions_of(body):
     """Radians, in the body of Set or Report Joint Positions: a number, and 32 bits for each."""
@@ -174,7 +177,8 @@ class Demonstration:
         return self.programs[-1]
 
     def start_robot(self, name):
-        program = self.start(name, name, "--this", "b", "--table", self.options.table, "--ethercat-port", str(self.ethercat_port))
+        program = self.start(name, name, "--this", "b", "--table", self.options.table, "--ethercat-port", str(self.ethercat_port),
+                             *(patience if name == "robot_controller" else []))
         self.require(name, "ready")
         return program
 
@@ -435,7 +439,7 @@ class Demonstration:
 
         def six_start():
             self.start_command("drives", "emulated_drives", f"udp:{self.drives_port}")
-            self.start("six", "robot_controller", "--this", "d", "--cycle", "10000", "--stop-within", "1000")
+            self.start("six", "robot_controller", "--this", "d", "--cycle", "10000", *patience)
             self.require("six", "ready", slave_up=True)
             self.require("six", "state_changed", address="4.2.54.1", to="ready")
             for joint in joints:

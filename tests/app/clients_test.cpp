@@ -62,6 +62,16 @@ struct driver_and_operator : operator_and_robot {
     }
 };
 
+/// The next report. On a busy machine a provider is silent for three periods now and then.
+template <class Report> boost::asio::awaitable<Report> next_report(jauscat::subscription<Report>& stream) {
+    for (;;) {
+        error_code why;
+        const auto report = co_await stream.async_next(boost::asio::redirect_error(boost::asio::use_awaitable, why));
+        if (!why) co_return report;
+        if (why != jauscat::node_errc::silent) throw boost::system::system_error{why};
+    }
+}
+
 /// Takes what a subscription has until it fails.
 boost::asio::awaitable<error_code> next_error(auto& stream) {
     error_code why;
@@ -82,7 +92,7 @@ TEST_CASE("an operator takes control, commands, asks, and receives reports in a 
         CHECK(report.propulsive_linear_effort_x == Approx(50).margin(0.01));
         auto efforts = co_await test.unit.async_connect<jaus::report_wrench_effort>(test.arm, {.rate = 100});
         for (int i = 0; i != 3; ++i) {
-            const auto next = co_await efforts.async_next();
+            const auto next = co_await next_report(efforts);
             CHECK(next.propulsive_linear_effort_x == Approx(50).margin(0.01));
         }
         CHECK(test.stopped == 0);
@@ -98,12 +108,12 @@ TEST_CASE("events of every change come once for each change") {
             test.arm, jaus::create_event{.event_type = jaus::event_type::every_change});
         for (const double x : {10.0, 20.0, 30.0}) {
             co_await test.unit.async_send(test.arm, jaus::set_wrench_effort{.propulsive_linear_effort_x = x});
-            const auto next = co_await events.async_next();
+            const auto next = co_await next_report(events);
             CHECK(next.propulsive_linear_effort_x == Approx(x).margin(0.01));
         }
         test.effort.propulsive_linear_effort_x = 40;
         test.driver.changed();
-        const auto next = co_await events.async_next();
+        const auto next = co_await next_report(events);
         CHECK(next.propulsive_linear_effort_x == Approx(40).margin(0.01));
     });
 }
@@ -149,12 +159,12 @@ TEST_CASE("a subscription says once that its provider is silent, and goes on whe
     driver_and_operator test;
     test.run([&]() -> boost::asio::awaitable<void> {
         auto efforts = co_await test.unit.async_connect<jaus::report_wrench_effort>(test.arm, {.rate = 50});
-        static_cast<void>(co_await efforts.async_next());
+        static_cast<void>(co_await next_report(efforts));
         test.robots.stop();
         const auto why = co_await next_error(efforts);
         CHECK(why == jauscat::node_errc::silent);
         test.robots.start();
-        static_cast<void>(co_await efforts.async_next());
+        static_cast<void>(co_await next_report(efforts));
     });
 }
 
@@ -170,9 +180,9 @@ TEST_CASE("a subscription keeps the newest reports, and counts those that it dro
             co_await timer.async_wait(boost::asio::use_awaitable);
         }
         const auto dropped = efforts.dropped();
-        static_cast<void>(co_await efforts.async_next());
-        static_cast<void>(co_await efforts.async_next());
-        static_cast<void>(co_await efforts.async_next());
+        static_cast<void>(co_await next_report(efforts));
+        static_cast<void>(co_await next_report(efforts));
+        static_cast<void>(co_await next_report(efforts));
         CHECK(efforts.dropped() == dropped);
     });
     CHECK(jauscat::subscription<jaus::report_wrench_effort>{}.dropped() == 0);
@@ -183,7 +193,7 @@ TEST_CASE("a subscription to an event says once that its provider is silent") {
     test.run([&]() -> boost::asio::awaitable<void> {
         auto efforts = co_await test.unit.async_event<jaus::report_wrench_effort>(
             test.arm, jaus::create_event{.event_type = jaus::event_type::periodic, .requested_periodic_rate = 50});
-        static_cast<void>(co_await efforts.async_next());
+        static_cast<void>(co_await next_report(efforts));
         test.robots.stop();
         const auto why = co_await next_error(efforts);
         CHECK(why == jauscat::node_errc::silent);
@@ -195,13 +205,13 @@ TEST_CASE("an event that comes once leaves its place to the next") {
     test.run([&]() -> boost::asio::awaitable<void> {
         const jaus::create_event once{.event_type = jaus::event_type::one_time_on_demand};
         auto first = co_await test.unit.async_event<jaus::report_wrench_effort>(test.arm, once);
-        static_cast<void>(co_await first.async_next());
+        static_cast<void>(co_await next_report(first));
         error_code why;
         co_await first.async_next(boost::asio::redirect_error(boost::asio::use_awaitable, why));
         CHECK(why == boost::asio::error::operation_aborted);
         auto second = co_await test.unit.async_event<jaus::report_wrench_effort>(test.arm, once);
         first.end(); // not the second
-        static_cast<void>(co_await second.async_next());
+        static_cast<void>(co_await next_report(second));
     });
 }
 
@@ -216,7 +226,7 @@ TEST_CASE("a subscription of before a restart of the node leaves later ones alon
         CHECK(why == boost::asio::error::operation_aborted);
         auto after = co_await test.unit.async_connect<jaus::report_wrench_effort>(test.arm, {.rate = 50});
         before.end();
-        for (int i = 0; i != 10; ++i) static_cast<void>(co_await after.async_next());
+        for (int i = 0; i != 10; ++i) static_cast<void>(co_await next_report(after));
     });
 }
 
@@ -258,7 +268,7 @@ TEST_CASE("a report is subscribed to once, and again when that has ended") {
         CHECK(why == jauscat::node_errc::connection_refused);
         efforts.end();
         efforts = co_await test.unit.async_connect<jaus::report_wrench_effort>(test.arm, {.rate = 50});
-        static_cast<void>(co_await efforts.async_next());
+        static_cast<void>(co_await next_report(efforts));
     });
 }
 
@@ -332,7 +342,7 @@ struct pending_operations : driver_and_operator {
         run([&]() -> boost::asio::awaitable<void> {
             control = co_await other->async_control(arm, {});
             efforts = co_await other->async_connect<jaus::report_wrench_effort>(arm, {.rate = 1});
-            co_await efforts.async_next();
+            co_await next_report(efforts);
         });
         const auto note = [&](error_code error, auto&&...) { errors.push_back(error); };
         auto nobody = arm;
@@ -445,7 +455,7 @@ TEST_CASE("all operations end with operation_aborted") {
         test.done = false;
         test.run([&]() -> boost::asio::awaitable<void> {
             co_await test.control.async_send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50});
-            co_await test.efforts.async_next();
+            co_await next_report(test.efforts);
         });
         CHECK(test.errors.size() == test.count);
         return;

@@ -81,7 +81,7 @@ robot::robot()
       config{folder / "JausConfig.xml"},
       link{"--ethercat-port", std::to_string(slave_port)},
       master_options{is_slow() ? words{"--frame-timeout", "1000", "--stop-within", "6500"}
-                               : words{"--stop-within", "2000"}} {
+                               : words{"--frame-timeout", "100", "--stop-within", "2000"}} {
     write_file(config, "<jausconfig>\n  <thissystem>a</thissystem>\n"
                        "  <system><name>a</name><jausip>1.0.0.0</jausip><ip>127.0.0.1</ip><port>" +
                            std::to_string(ocu_port) +
