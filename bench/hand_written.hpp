@@ -1,5 +1,5 @@
 // The floor: the same messages, read and written by hand with memcpy, shifts and constant offsets, for little-endian
-// machines. It checks what the codec checks (lengths, ranges, NaN, signed minima, unknown presence bits) and rounds the
+// machines. It checks what the codec checks (lengths, ranges, NaN, signed minima) and rounds the
 // same way. A size of zero says that the message was refused.
 #pragma once
 #include <jauscat/schema/jaus/header.hpp>
@@ -173,8 +173,8 @@ std::size_t encode_wrench(const auto& __restrict m, std::byte* __restrict out, s
 template <const auto& Effort, const auto& Resistance>
 std::size_t decode_wrench(auto& __restrict m, const std::byte* __restrict in, std::size_t size) noexcept {
     if (size < 2) return 0;
-    const unsigned mask = load<std::uint16_t>(in);
-    if (mask > 0xFFF || size != wrench_size(mask)) return 0;
+    const unsigned mask = load<std::uint16_t>(in) & 0xFFF; // the other bits are ignored
+    if (size != wrench_size(mask)) return 0;
     const std::byte* at = in + 2;
     if (mask & 0x1) {
         if (!Effort.get(m.propulsive_linear_effort_x, at)) return 0;

@@ -24,7 +24,7 @@ constexpr std::size_t item_count = 1024, elements = 12, wide_elements = 6;
     if (body.size() < 2 || out.size() < 22) return false;
     std::uint16_t presence, count;
     std::memcpy(&presence, body.data(), 2);
-    if ((presence & 0xF000) != 0) return false;
+    presence &= 0x0FFF; // the other bits are ignored
     const std::byte* const end = body.data() + body.size();
     const std::byte* in = body.data() + 2;
     std::int16_t wide[6];

@@ -102,10 +102,10 @@ template <class Values> struct wrench_effort {
 
 template <class Values> bool load_efforts(wrench_effort<Values>& efforts, const uint8_t* in, uint32_t size) {
     if (size < 2) return false;
-    const uint32_t present = load16(in);
+    const uint32_t present = load16(in) & 0xFFF; // the other bits are ignored
     const auto wide = static_cast<uint32_t>(std::popcount(present & 0x3Fu));
     const auto narrow = static_cast<uint32_t>(std::popcount(present >> 6));
-    if (present >> 12 != 0 || size != 2 + 2 * wide + narrow) return false;
+    if (size != 2 + 2 * wide + narrow) return false;
     efforts.presence_vector = static_cast<uint16_t>(present);
     in += 2;
     if ((present & 1u << 0) != 0) {

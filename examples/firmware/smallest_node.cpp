@@ -49,8 +49,7 @@ bool hand_to_card(const uint8_t* message, uint32_t body_size) {
 
 bool set_efforts(const uint8_t* body, uint32_t size) {
     if (size < 2) return false;
-    const uint16_t present = load16(body);
-    if (present >> effort_count != 0) return false;
+    const uint32_t present = load16(body) & ((1u << effort_count) - 1); // the other bits are ignored
     uint16_t commanded[effort_count];
     uint32_t at = 2;
     for (uint32_t i = 0; i != effort_count; ++i) {

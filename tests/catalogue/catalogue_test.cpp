@@ -2,6 +2,7 @@
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include <jauscat/catalogue/ra_3_3.hpp>
+#include <jauscat/jaus/message/ignored_bits.hpp>
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
@@ -69,6 +70,59 @@ TEST_CASE("a query and its report name each other") {
     }
     CHECK(of("set_wrench_effort").query() == 0);
     CHECK(of("set_wrench_effort").report() == 0);
+}
+
+TEST_CASE("the places of presence vectors are those of the schemas") {
+    CHECK(std::ranges::is_sorted(jaus::presence_vectors, {}, &jaus::presence_vector_place::command_code));
+    using text::member;
+    std::size_t count = 0;
+    for (const auto& message : catalogue::ra_3_3()) {
+        INFO(message.name());
+        std::size_t offset = 0;
+        const auto places = std::ranges::equal_range(jaus::presence_vectors, message.command_code(), {},
+                                                     &jaus::presence_vector_place::command_code);
+        auto place = places.begin();
+        const auto expect = [&](std::size_t size, std::uint32_t fields) {
+            REQUIRE(place != places.end());
+            CHECK(place->offset == offset);
+            CHECK(place->size == size);
+            CHECK(place->fields == fields);
+            ++place;
+            ++count;
+        };
+        for (const member& one : message.fields().members) {
+            if (one.what == member::role::presence_vector) expect(one.least, message.presence_bits());
+            const bool of_report = one.name == "report_presence_vector" ||
+                                   (one.name == "presence_vector" && one.what == member::role::value);
+            if (of_report && message.name() != "query_mission_status")
+                expect(one.least, catalogue::ra_3_3().find(message.report())->presence_bits());
+            if (one.optional || one.least != one.most) break;
+            offset += one.least;
+        }
+        CHECK(place == places.end());
+    }
+    CHECK(count == jaus::presence_vectors.size());
+}
+
+TEST_CASE("bits of a presence vector without a field are told, also of what an event or a connection asks for") {
+    const auto ignored = [](std::uint16_t code, std::string_view body) {
+        return jaus::ignored_presence_bits(code, from_hex(body));
+    };
+    CHECK(ignored(0x0405, "ffff 0000") == 0xF000); // what the fields say is not its matter
+    CHECK(ignored(0x0405, "ff0f 0000") == 0);
+    CHECK(ignored(0x0405, "ff") == 0);
+    CHECK(ignored(0x2405, "ffff") == 0xF000);
+    CHECK(ignored(0x240F, "0000 ff") == 0xFC);
+    CHECK(ignored(0x4400, "ffffffff") == 0xFFE00000);
+    CHECK(ignored(0x0008, "0544 0010 ffffffff") == 0xFFFFF000);
+    CHECK(ignored(0x0008, "0544 0010 ff0f0000") == 0);
+    CHECK(ignored(0x0008, "0242 0010 ffffffff") == 0); // Report Heartbeat Pulse has no vector
+    CHECK(ignored(0x01F0, "80 01 0544 05 02000000 ffff") == 0xF000);
+    CHECK(ignored(0x01F0, "00 01 0544 05") == 0);
+    CHECK(ignored(0x01F3, "ff 01 0544 01") == 0xFE);
+    CHECK(ignored(0x41F1, "01 0544 00 04000000 00f0 0000") == 0xF000);
+    CHECK(ignored(0x41F1, "01 f141 00 00000000") == 0);
+    CHECK(ignored(0xD123, "ffff") == 0);
 }
 
 TEST_CASE("a message is made of a line, and printed") {

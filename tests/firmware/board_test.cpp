@@ -111,14 +111,12 @@ TEST_CASE("a command that cannot be executed changes nothing, is counted, and ge
     emulated_board board{each_image()};
     const auto truncated = from_hex("1602 0504 01210202 01010101 0300 0100 0100 34");
     const auto trailing = from_hex("1602 0504 01210202 01010101 0500 0200 0100 3412 00");
-    const auto unknown_bit = from_hex("1602 0504 01210202 01010101 0200 0300 0010");
     const auto no_vector = from_hex("1602 0524 01210202 01010101 0000 0400");
     const auto unknown_code = from_hex("1602 0f0f 01210202 01010101 0000 0500");
     const auto fragment = from_hex("1602 0504 01210202 01010101 0410 0600 0100 3412");
-    const auto said = converse(board, truncated + trailing + unknown_bit + no_vector + unknown_code + fragment, 6);
+    const auto said = converse(board, truncated + trailing + no_vector + unknown_code + fragment, 5);
     CHECK(to_hex(said.jaus) == to_hex(from_hex("2602 0504 01010101 01210202 0000 0100"
                                                "2602 0504 01010101 01210202 0000 0200"
-                                               "2602 0504 01010101 01210202 0000 0300"
                                                "2602 0524 01010101 01210202 0000 0400"
                                                "2602 0f0f 01010101 01210202 0000 0500"
                                                "2602 0504 01010101 01210202 0000 0600")));
@@ -126,9 +124,21 @@ TEST_CASE("a command that cannot be executed changes nothing, is counted, and ge
 
     auto silent = truncated;
     silent[0] = std::byte{0x06};
-    CHECK(to_hex(converse(board, silent, 7).jaus) == "");
-    CHECK(to_hex(converse(board, query_all_efforts, 7).jaus) ==
+    CHECK(to_hex(converse(board, silent, 6).jaus) == "");
+    CHECK(to_hex(converse(board, query_all_efforts, 6).jaus) ==
           to_hex(from_hex("0602 0544 01010101 01210202 0200 2400 0000")));
+}
+
+TEST_CASE("presence bits without a field are ignored") {
+    emulated_board board{each_image()};
+    const auto all_bits =
+        from_hex("1602 0504 01210202 01010101 1400 0300 ffff 3412 0000 0000 0000 0000 0000 000000000000");
+    const auto one_bit = from_hex("1602 0504 01210202 01010101 0400 0400 0110 7856");
+    CHECK(to_hex(converse(board, all_bits + one_bit + query_all_efforts).jaus) ==
+          to_hex(from_hex("3602 0504 01010101 01210202 0000 0300"
+                          "3602 0504 01010101 01210202 0000 0400"
+                          "0602 0544 01010101 01210202 1400 2400"
+                          "ff0f 7856 0000 0000 0000 0000 0000 000000000000")));
 }
 
 TEST_CASE("a raw value without a percentage is refused where percentages are used") {

@@ -126,11 +126,16 @@ TEST_CASE("the confirmed rate is one that can be kept") {
     }
 }
 
+TEST_CASE("a connection has the requested fields that its report has") {
+    provider p;
+    REQUIRE(p.ask(viewer, pose, 10, 0xFFFF0201) == response::connection_created);
+    REQUIRE(p.connections.connections()[0].presence_vector == 1);
+}
+
 TEST_CASE("an impossible connection is answered with the reason") {
     provider p;
     REQUIRE(p.ask(viewer, 0x4403, 10) == response::command_not_supported);
     REQUIRE(p.ask(viewer, pose, 0) == response::invalid_service_connection_parameters);
-    REQUIRE(p.ask(viewer, pose, 10, 0x200) == response::invalid_service_connection_parameters);
     REQUIRE(p.ask(viewer, pose, 10, 0x1FF) == response::connection_created);
     REQUIRE(p.ask(viewer, velocity, 10, 0xFFFFFFFF) == response::connection_created);
     REQUIRE(p.ask(other, pose, 10) == response::connection_created);

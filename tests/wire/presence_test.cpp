@@ -5,6 +5,7 @@
 
 using samples::mixed;
 using samples::open;
+using samples::with_spare_bits;
 using wire::errc;
 
 namespace {
@@ -137,6 +138,27 @@ TEST_CASE("a bit that the layout does not define is refused") {
     both_ways([] { return decode_error<mixed>(bytes(0x08, 7, 0x02, 0x01)) == errc::unknown_presence_bit; });
     both_ways([] { return decode_error<mixed>(bytes(0x80, 7, 0x02, 0x01)) == errc::unknown_presence_bit; });
     both_ways([] { return decode_error<mixed>(bytes(0x09, 7, 0xFF, 0x02, 0x01)) == errc::unknown_presence_bit; });
+}
+
+TEST_CASE("a lenient presence vector ignores the bits that the layout does not define") {
+    both_ways([] {
+        return decodes_to(bytes(0xFF, 1, 0x02, 0x01, 9),
+                          with_spare_bits{.first = std::uint8_t{1}, .second = std::uint16_t{0x0102}, .last = 9});
+    });
+    both_ways([] {
+        return decodes_to(bytes(0xFE, 0x02, 0x01, 9), with_spare_bits{.second = std::uint16_t{0x0102}, .last = 9});
+    });
+    both_ways([] { return decodes_to(bytes(0x80, 9), with_spare_bits{.last = 9}); });
+    // Bytes that the bits may stand for are not dropped.
+    both_ways(
+        [] { return decode_error<with_spare_bits>(bytes(0xFF, 1, 0x02, 0x01, 0xAA, 9)) == errc::trailing_bytes; });
+    both_ways([] { return decode_error<with_spare_bits>(bytes(0xFF, 1, 0x02, 0x01)) == errc::truncated; });
+    both_ways([] {
+        const wire::view<with_spare_bits> view{bytes(0xFD, 1, 9)};
+        return view.get<&with_spare_bits::first>() == 1 && !view.get<&with_spare_bits::second>() &&
+               view.get<&with_spare_bits::last>() == 9;
+    });
+    both_ways([] { return encodes_to(with_spare_bits{.first = std::uint8_t{1}, .last = 9}, bytes(0x01, 1, 9)); });
 }
 
 TEST_CASE("an open presence vector drops unknown bits and the bytes after the known fields") {

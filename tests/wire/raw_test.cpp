@@ -61,6 +61,7 @@ TEMPLATE_TEST_CASE("a raw message is exact for every byte pattern", "", point, m
     int exact = 0;
     for (int round = 0; round != 20000; ++round) {
         support::fill(random, in);
+        if constexpr (std::same_as<T, jauscat::jaus::set_wrench_effort>) in[1] &= std::byte{0x0F}; // ignores the others
         wire::raw<T> raw{};
         const auto used = wire::decode_prefix(raw, in);
         if (!used) {

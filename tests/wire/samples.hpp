@@ -73,6 +73,14 @@ struct open {
     friend constexpr bool operator==(const open&, const open&) = default;
 };
 
+/// Ignores bits 2 to 7.
+struct with_spare_bits {
+    std::optional<std::uint8_t> first{};
+    std::optional<std::uint16_t> second{};
+    std::uint8_t last{};
+    friend constexpr bool operator==(const with_spare_bits&, const with_spare_bits&) = default;
+};
+
 /// Scaled integers of 64 bits, 16 bytes.
 struct fine {
     double a{}; ///< 0 to 100
@@ -135,6 +143,15 @@ template <> struct wire::schema<samples::envelope> {
         field<&T::kind, u16be>,
         nested<&T::content>,
         field<&T::tail, u8>>;
+};
+
+template <> struct wire::schema<samples::with_spare_bits> {
+    using T = samples::with_spare_bits;
+    using type = layout<
+        lenient_presence<u8,
+            field<&T::first, u8>,
+            field<&T::second, u16le>>,
+        field<&T::last, u8>>;
 };
 
 template <> struct wire::schema<samples::open> {

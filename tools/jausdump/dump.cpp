@@ -3,6 +3,7 @@
 #include "hex_line.hpp"
 #include "support/output.hpp"
 #include <jauscat/jaus/message/framing.hpp>
+#include <jauscat/jaus/message/ignored_bits.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/text/annotate.hpp>
 #include <jauscat/translate/translator.hpp>
@@ -150,6 +151,7 @@ void dump::decode(record& message, bool network) {
         message.fields = std::move(decoded.fields);
         message.text = std::move(decoded.text);
         if (!decoded.fault) message.error = fault_of(decoded.fault, jaus::header_size);
+        if (decoded.fault) message.ignored_bits = jaus::ignored_presence_bits(head.command_code, body);
         if (body.size() > decoded.encoded.size() && decoded.fault)
             message.dropped = body.size() - decoded.encoded.size();
         const bool one_packet = decoded.encoded.size() <= jaus::max_body_size;

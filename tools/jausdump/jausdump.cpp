@@ -42,7 +42,8 @@ Examples:
 
 JSON: one object for each line, with message, code, header, presence_vector, fields; then hex (--reencode), packet
 (--translate, or the name of the error), error (error, field, and byte counted from the header), bytes (of a message
-that was not decoded), dropped (bytes that no field holds), data_set, refusal (by, what, code, text), origin.
+that was not decoded), ignored_presence_bits (that stand for no field), dropped (bytes that no field holds), data_set,
+refusal (by, what, code, text), origin.
 
 Exit code: 0 if all was decoded, 1 if a message was malformed, unknown or incomplete, 2 for a wrong command line or
 input that cannot be read.

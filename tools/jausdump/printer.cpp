@@ -122,6 +122,8 @@ std::string to_text(const record& message, const palette& colour, bool with_byte
     if (message.refusal)
         text += indent + colour.bad + (message.refusal->by == "master" ? "aborted by the master: " : "refused: ") +
                 reason_of(*message.refusal) + colour.end + "\n";
+    if (message.ignored_bits != 0)
+        text += indent + "presence bits without a field, ignored: " + text::hex_number(message.ignored_bits, 1) + "\n";
     if (message.dropped != 0)
         text += indent + std::to_string(message.dropped) +
                 " bytes dropped: of presence bits that the standard's layout does not have\n";
@@ -154,6 +156,7 @@ std::string to_json_line(const record& message) {
     if (message.error) object["error"] = error_object(*message.error);
     if (message.kind == kind::unknown || message.kind == kind::broken)
         object["bytes"] = text::detail::plain_hex(message.bytes);
+    if (message.ignored_bits != 0) object["ignored_presence_bits"] = text::hex_number(message.ignored_bits, 1);
     if (message.dropped != 0) object["dropped"] = message.dropped;
     if (!message.data_set.empty()) object["data_set"] = message.data_set;
     json from{{message.origin.place, message.origin.number}};

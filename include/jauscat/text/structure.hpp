@@ -159,7 +159,7 @@ struct member {
     std::optional<unsigned> presence_bit{};        ///< of the presence vector before it
     unsigned first_bit{}, carrier_bits{};          ///< of a bit-field: where it begins in an integer of so many bits
     unsigned used_bits{};                          ///< of a presence vector: so many have a meaning
-    bool tolerant{};                               ///< of a presence vector: other bits are ignored
+    bool tolerant{}; ///< of a presence vector: other bits are dropped, with the bytes they stand for
 };
 
 /// Description of a message or another structure.

@@ -62,13 +62,13 @@ template <class Layout> struct presence_in {
         return bits;
     }
 };
-template <class Carrier, class... Items>
+template <wire::unknown_bits Unknown, class Carrier, class... Items>
 requires(Items::optional && ...)
-struct presence_in<wire::layout<wire::presence<Carrier, Items...>>> {
+struct presence_in<wire::layout<wire::presence_group<Unknown, Carrier, Items...>>> {
     [[gnu::always_inline]] static constexpr std::uint64_t of(const auto&, std::span<const std::byte> body) noexcept {
         typename Carrier::value_type bits{};
         Carrier::load(body.data(), bits);
-        return bits;
+        return bits & wire::presence_group<Unknown, Carrier, Items...>::known_bits;
     }
 };
 

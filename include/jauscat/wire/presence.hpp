@@ -11,6 +11,7 @@ namespace jauscat::wire {
 /// Handling of presence bits that the layout does not define.
 enum class unknown_bits {
     refused,  ///< errc::unknown_presence_bit
+    ignored,  ///< dropped; the bytes are those of the fields that the layout defines
     tolerated ///< dropped, with all bytes to the end of the body, where later editions append their fields
 };
 
@@ -227,7 +228,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         if ((m & ~known_bits) != 0) {
             if constexpr (Unknown == unknown_bits::refused)
                 return in_cursor::failed(errc::unknown_presence_bit);
-            else
+            else if constexpr (Unknown == unknown_bits::tolerated)
                 return {c.at + min_size + c.slack, 0};
         }
         return {c.at + min_size + extra, c.slack - extra};
@@ -344,6 +345,11 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
 
 /// A presence vector that refuses bits it does not define.
 template <codec Carrier, class... Items> using presence = presence_group<unknown_bits::refused, Carrier, Items...>;
+
+/// A presence vector that ignores bits it does not define, for peers that set all bits and send the fields of the
+/// standard.
+template <codec Carrier, class... Items>
+using lenient_presence = presence_group<unknown_bits::ignored, Carrier, Items...>;
 
 /// A presence vector that tolerates bits it does not define, and drops the bytes they stand for. Use it only as the
 /// last item, and only where peers are known to send more than the standard.

@@ -28,6 +28,7 @@ struct items {
     template <auto Member> using not_on_wire = wire::not_on_wire<Member>;
 
     template <class Carrier, class... Items> using presence = wire::presence<Carrier, Items...>;
+    template <class Carrier, class... Items> using lenient_presence = wire::lenient_presence<Carrier, Items...>;
     template <class Carrier, class... Items> using open_presence = wire::open_presence<Carrier, Items...>;
     template <auto Member> using presence_flag = wire::presence_flag<Member>;
     template <auto Flag, class Item> using gated_by = wire::gated_by<Flag, Item>;

@@ -19,7 +19,7 @@ struct connectable_report {
     std::uint16_t command_code{};              ///< of the report
     double min_rate{};                         ///< hertz; a lower request gets this rate
     double max_rate{update_rate::max};         ///< hertz; a higher request gets this rate
-    std::uint32_t presence_vector{0xFFFFFFFF}; ///< bits that a request may have set
+    std::uint32_t presence_vector{0xFFFFFFFF}; ///< bits of its fields; a request's other bits are ignored
 };
 
 /// Writes the body of report `command_code`, with the fields selected by `presence_vector`, to the front of `body` and
@@ -68,8 +68,8 @@ template <std::size_t Capacity> class service_connections {
           policy_{policy} {}
 
     /// Takes Create (answered by Confirm), Activate, Suspend and Terminate Service Connection. A request without a
-    /// place left is answered with connection_refused, one without rate or with fields that the report does not have
-    /// with invalid_service_connection_parameters, one for another report with command_not_supported.
+    /// place left is answered with connection_refused, one without rate with invalid_service_connection_parameters, one
+    /// for another report with command_not_supported. Requested fields that the report does not have are left out.
     constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
                                          message_sink out) noexcept {
         if (is_acknowledgement(head)) return message_outcome::unhandled;
@@ -153,8 +153,7 @@ template <std::size_t Capacity> class service_connections {
             confirmed.response_code = response::command_not_supported;
         } else if (rate = sayable_rate(std::max(request.requested_periodic_update_rate, report->min_rate),
                                        report->max_rate);
-                   request.requested_periodic_update_rate == 0 || rate == 0 ||
-                   (request.requested_presence_vector & ~report->presence_vector) != 0) {
+                   request.requested_periodic_update_rate == 0 || rate == 0) {
             confirmed.response_code = response::invalid_service_connection_parameters;
         } else if (policy_) {
             confirmed.response_code = policy_(head, request);
@@ -165,7 +164,7 @@ template <std::size_t Capacity> class service_connections {
             if (place->command_code == 0 || !place->active || place->rate != rate) place->due = now;
             *place = {.consumer = head.source,
                       .command_code = request.command_code,
-                      .presence_vector = request.requested_presence_vector,
+                      .presence_vector = request.requested_presence_vector & report->presence_vector,
                       .priority = head.priority,
                       .active = true,
                       .rate = rate,

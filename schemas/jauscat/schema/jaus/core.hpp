@@ -269,7 +269,7 @@ struct set_time {
         static constexpr std::uint16_t command_code = 0x0011;
         using T = set_time;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 nested<&T::time_stamp>,
                 nested<&T::date_stamp>>>;
     };
@@ -401,7 +401,7 @@ struct report_time {
         using query = query_time;
         using T = report_time;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 nested<&T::time_stamp>,
                 nested<&T::date_stamp>>>;
     };

@@ -36,7 +36,7 @@ struct set_camera_pose {
         static constexpr std::uint16_t command_code = 0x0801;
         using T = set_camera_pose;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::camera_id, u8>,
                 field<&T::mode_indicator, bit_set_codec<jaus::mode_indicator, u8>>,
                 field<&T::linear_x_displacement_or_rate, scaled<i16le, signed_percent>>,
@@ -108,7 +108,7 @@ struct set_camera_capabilities {
         static constexpr std::uint16_t command_code = 0x0805;
         using T = set_camera_capabilities;
         using type = layout<
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::camera_id, u8>,
                 field<&T::horizontal_fov, scaled<u16le, positive_angle>>,
                 field<&T::vertical_fov, scaled<u16le, positive_angle>>,
@@ -171,7 +171,7 @@ struct set_camera_format_options {
         static constexpr std::uint16_t command_code = 0x0806;
         using T = set_camera_format_options;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::camera_id, u8>,
                 field<&T::audio_format, enumeration<jaus::audio_format, u8>>,
                 field<&T::image_format, enumeration<jaus::image_format, u8>>,
@@ -302,7 +302,7 @@ struct report_camera_pose {
         using query = query_camera_pose;
         using T = report_camera_pose;
         using type = layout<
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::camera_id, u8>,
                 string<&T::camera_name, fixed<15>>,
                 field<&T::x_camera_origin, scaled<i16le, camera_origin>>,
@@ -352,7 +352,7 @@ struct report_relative_object_position {
         using query = query_relative_object_position;
         using T = report_relative_object_position;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 nested<&T::time_stamp>,
                 field<&T::range, scaled<i32le, object_range>>,
                 field<&T::range_error, scaled<u32le, object_range_error>>,
@@ -405,7 +405,7 @@ struct report_camera_capabilities {
         using query = query_camera_capabilities;
         using T = report_camera_capabilities;
         using type = layout<
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::camera_id, u8>,
                 string<&T::description, fixed<50>>,
                 field<&T::maximum_horizontal_fov, scaled<u16le, positive_angle>>,
@@ -444,7 +444,7 @@ struct report_camera_format_options {
         using query = query_camera_format_options;
         using T = report_camera_format_options;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::camera_id, u8>,
                 field<&T::audio_format_1, enumeration<audio_format, u8>>,
                 field<&T::audio_format_2, enumeration<audio_format, u8>>,

@@ -53,7 +53,7 @@ struct create_event {
         static constexpr std::uint16_t command_code = 0x01F0;
         using T = create_event;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::local_request_id, u8>,
                 field<&T::message_code, u16le>,
                 field<&T::event_type, enumeration<jaus::event_type, u8>>,
@@ -89,7 +89,7 @@ struct update_event {
         static constexpr std::uint16_t command_code = 0x01F1;
         using T = update_event;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::local_request_id, u8>,
                 field<&T::message_code, u16le>,
                 field<&T::event_type, enumeration<jaus::event_type, u8>>,
@@ -117,7 +117,7 @@ struct cancel_event {
         static constexpr std::uint16_t command_code = 0x01F2;
         using T = cancel_event;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::local_request_id, u8>,
                 field<&T::message_code, u16le>,
                 field<&T::event_id, u8>>>;
@@ -149,7 +149,7 @@ struct confirm_event_request {
         static constexpr std::uint16_t command_code = 0x01F3;
         using T = confirm_event_request;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::local_request_id, u8>,
                 field<&T::message_code, u16le>,
                 field<&T::event_id, u8>,
@@ -171,7 +171,7 @@ struct reject_event_request {
         static constexpr std::uint16_t command_code = 0x01F4;
         using T = reject_event_request;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::local_request_id, u8>,
                 field<&T::response_code, enumeration<event_response, u8>>,
                 string<&T::error_message, rest>>>;
@@ -191,7 +191,7 @@ struct query_events {
         using report = struct report_events;
         using T = query_events;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::message_code, u16le>,
                 field<&T::event_type, enumeration<jaus::event_type, u8>>,
                 field<&T::event_id, u8>>>;
@@ -214,7 +214,7 @@ struct reported_event {
     struct schema : wire::items {
         using T = reported_event;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::message_code, u16le>,
                 field<&T::event_type, enumeration<jaus::event_type, u8>>,
                 field<&T::event_boundary, enumeration<jaus::event_boundary, u8>>,

@@ -241,7 +241,7 @@ struct report_payload_interface {
         using query = query_payload_interface;
         using T = report_payload_interface;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 presence_flag<&T::hmi_recommendation_present>,
                 presence_flag<&T::hmi_recommended_x_position_present>,
                 presence_flag<&T::hmi_recommended_y_position_present>,

@@ -28,7 +28,7 @@ struct set_velocity_state {
         static constexpr std::uint16_t command_code = 0x0404;
         using T = set_velocity_state;
         using type = layout<
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::velocity_x, scaled<i32le, velocity_range>>,
                 field<&T::velocity_y, scaled<i32le, velocity_range>>,
                 field<&T::velocity_z, scaled<i32le, velocity_range>>,
@@ -62,7 +62,7 @@ struct set_wrench_effort {
         static constexpr std::uint16_t command_code = 0x0405;
         using T = set_wrench_effort;
         using type = layout<
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::propulsive_linear_effort_x, scaled<i16le, signed_percent>>,
                 field<&T::propulsive_linear_effort_y, scaled<i16le, signed_percent>>,
                 field<&T::propulsive_linear_effort_z, scaled<i16le, signed_percent>>,
@@ -120,7 +120,7 @@ struct set_discrete_devices {
         static constexpr std::uint16_t command_code = 0x0406;
         using T = set_discrete_devices;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::main_propulsion, bit_set_codec<main_propulsion_device, u8>>,
                 field<&T::parking_brake_and_horn, bit_set_codec<jaus::parking_brake_and_horn, u8>>,
                 field<&T::gear, enumeration<jaus::gear, u8>>,
@@ -142,7 +142,7 @@ struct set_global_vector {
         static constexpr std::uint16_t command_code = 0x0407;
         using T = set_global_vector;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::desired_speed, scaled<u16le, speed_limit>>,
                 field<&T::desired_elevation, scaled<i32le, elevation_range>>,
                 field<&T::desired_heading, scaled<i16le, signed_angle>>,
@@ -196,7 +196,7 @@ struct set_global_waypoint {
         static constexpr std::uint16_t command_code = 0x040C;
         using T = set_global_waypoint;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::waypoint_number, u16le>,
                 field<&T::latitude, scaled<i32le, latitude_range>>,
                 field<&T::longitude, scaled<i32le, longitude_range>>,
@@ -223,7 +223,7 @@ struct set_local_waypoint {
         static constexpr std::uint16_t command_code = 0x040D;
         using T = set_local_waypoint;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::waypoint_number, u16le>,
                 field<&T::waypoint_x, scaled<i32le, local_coordinate>>,
                 field<&T::waypoint_y, scaled<i32le, local_coordinate>>,
@@ -251,7 +251,7 @@ struct set_global_path_segment {
         static constexpr std::uint16_t command_code = 0x040F;
         using T = set_global_path_segment;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::path_segment_number, u16le>,
                 field<&T::p1_latitude, scaled<i32le, latitude_range>>,
                 field<&T::p1_longitude, scaled<i32le, longitude_range>>,
@@ -280,7 +280,7 @@ struct set_local_path_segment {
         static constexpr std::uint16_t command_code = 0x0410;
         using T = set_local_path_segment;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::path_segment_number, u16le>,
                 field<&T::p1_x, scaled<i32le, local_coordinate>>,
                 field<&T::p1_y, scaled<i32le, local_coordinate>>,
@@ -548,7 +548,7 @@ struct report_platform_specifications {
         using query = query_platform_specifications;
         using T = report_platform_specifications;
         using type = layout<
-            presence<u32le,
+            lenient_presence<u32le,
                 string<&T::platform_name, fixed<15>>,
                 field<&T::front, scaled<u16le, platform_dimension>>,
                 field<&T::back, scaled<u16le, platform_dimension>>,
@@ -589,7 +589,7 @@ struct report_platform_operational_data {
         using query = query_platform_operational_data;
         using T = report_platform_operational_data;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::engine_temperature, scaled<i16le, engine_temperature_range>>,
                 field<&T::odometer, in_units<u32le, metres>>,
                 field<&T::battery_voltage, scaled<u8, gauge_percent>>,
@@ -650,7 +650,7 @@ struct report_local_pose {
         using query = query_local_pose;
         using T = report_local_pose;
         using type = layout<
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::x, scaled<i32le, local_coordinate>>,
                 field<&T::y, scaled<i32le, local_coordinate>>,
                 field<&T::z, scaled<i32le, elevation_range>>,
@@ -718,7 +718,7 @@ struct report_wrench_effort {
         using query = query_wrench_effort;
         using T = report_wrench_effort;
         using type = layout<
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::propulsive_linear_effort_x, scaled<i16le, signed_percent>>,
                 field<&T::propulsive_linear_effort_y, scaled<i16le, signed_percent>>,
                 field<&T::propulsive_linear_effort_z, scaled<i16le, signed_percent>>,
@@ -748,7 +748,7 @@ struct report_discrete_devices {
         using query = query_discrete_devices;
         using T = report_discrete_devices;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::main_propulsion, bit_set_codec<main_propulsion_device, u8>>,
                 field<&T::parking_brake_and_horn, bit_set_codec<jaus::parking_brake_and_horn, u8>>,
                 field<&T::gear, enumeration<jaus::gear, u8>>,
@@ -771,7 +771,7 @@ struct report_global_vector {
         using query = query_global_vector;
         using T = report_global_vector;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::desired_speed, scaled<u16le, speed_limit>>,
                 field<&T::desired_elevation, scaled<i32le, elevation_range>>,
                 field<&T::desired_heading, scaled<i16le, signed_angle>>,
@@ -842,7 +842,7 @@ struct report_global_waypoint {
         using query = query_global_waypoint;
         using T = report_global_waypoint;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::waypoint_number, u16le>,
                 field<&T::latitude, scaled<i32le, latitude_range>>,
                 field<&T::longitude, scaled<i32le, longitude_range>>,
@@ -870,7 +870,7 @@ struct report_local_waypoint {
         using query = query_local_waypoint;
         using T = report_local_waypoint;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::waypoint_number, u16le>,
                 field<&T::waypoint_x, scaled<i32le, local_coordinate>>,
                 field<&T::waypoint_y, scaled<i32le, local_coordinate>>,
@@ -913,7 +913,7 @@ struct report_global_path_segment {
         using query = query_global_path_segment;
         using T = report_global_path_segment;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::path_segment_number, u16le>,
                 field<&T::p1_latitude, scaled<i32le, latitude_range>>,
                 field<&T::p1_longitude, scaled<i32le, longitude_range>>,
@@ -943,7 +943,7 @@ struct report_local_path_segment {
         using query = query_local_path_segment;
         using T = report_local_path_segment;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::path_segment_number, u16le>,
                 field<&T::p1_x, scaled<i32le, local_coordinate>>,
                 field<&T::p1_y, scaled<i32le, local_coordinate>>,

@@ -116,7 +116,7 @@ struct create_vector_knowledge_store_objects {
         static constexpr std::uint16_t command_code = 0x0A20;
         using T = create_vector_knowledge_store_objects;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 presence_flag<&T::object_buffer_present>,
                 field<&T::message_properties, bit_set_codec<create_objects_property, u8>>,
                 field<&T::local_request_id, u8>,
@@ -191,7 +191,7 @@ struct delete_vector_knowledge_store_objects {
         static constexpr std::uint16_t command_code = 0x0A25;
         using T = delete_vector_knowledge_store_objects;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::local_request_id, u8>,
                 repeated<&T::object_id, count<"number_of_objects", u16le>, element<"object", u32le>>,
                 field<&T::region_type, enumeration<jaus::region_type, u8>>,
@@ -257,7 +257,7 @@ struct query_vector_knowledge_store_objects {
         using report = struct report_vector_knowledge_store_objects;
         using T = query_vector_knowledge_store_objects;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::report_presence_vector, u8>,
                 field<&T::local_request_id, u8>,
                 repeated<&T::object_id, count<"number_of_objects", u16le>, element<"object", u32le>>,
@@ -346,7 +346,7 @@ struct report_vector_knowledge_store_objects {
         using query = query_vector_knowledge_store_objects;
         using T = report_vector_knowledge_store_objects;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::local_request_id, u8>,
                 field<&T::number_of_objects, u16le>,
                 repeated<&T::object, counted_by<&T::number_of_objects>>>>;

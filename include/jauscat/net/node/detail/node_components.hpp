@@ -3,6 +3,7 @@
 
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/jaus/message/ignored_bits.hpp>
 #include <jauscat/jaus/message/peer_share.hpp>
 #include <jauscat/jaus/routing/liveness_table.hpp>
 #include <jauscat/net/config/jaus_node_options.hpp>
@@ -21,14 +22,19 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace jauscat::net::detail {
 
+/// `0x0405`, for logs.
+inline std::string in_hex(std::uint32_t number) {
+    std::array<char, 12> text{};
+    std::snprintf(text.data(), text.size(), "0x%04X", unsigned{number});
+    return text.data();
+}
 /// `command code 0x0405 1.1.32.1 -> 2.1.33.1`, for logs.
 inline std::string in_text(const jaus::header& head) {
-    std::array<char, 8> code{};
-    std::snprintf(code.data(), code.size(), "0x%04X", unsigned{head.command_code});
-    return std::string{"command code "} + code.data() + ' ' + to_jausip(head.source) + " -> " +
+    return "command code " + in_hex(head.command_code) + ' ' + to_jausip(head.source) + " -> " +
            to_jausip(head.destination);
 }
 
@@ -269,6 +275,7 @@ class node_components {
             log_(now, [&] {
                 return in_text(head) + ": its sender is not watched: too many peers are, of its node or of all";
             });
+        if (what == handled || what == deferred) note_ignored_bits(head, body, now);
         constexpr std::array unremarkable{handled, deferred, acknowledgement, repeated, pending};
         if (std::ranges::find(unremarkable, what) == unremarkable.end())
             log_(now, [&] {
@@ -281,12 +288,23 @@ class node_components {
         if (going_ && options_.on_message) options_.on_message(to.self, head, body, what);
         return what;
     }
-    static constexpr std::size_t max_complete = 256;
+    // Once for each sender and code: a peer that sets such bits sets them in every message.
+    void note_ignored_bits(const jaus::header& head, bytes body, time_point now) {
+        const auto bits = jaus::ignored_presence_bits(head.command_code, body);
+        if (bits == 0) return;
+        const std::pair one{head.source, head.command_code};
+        if (std::ranges::find(noted_, one) != noted_.end()) return;
+        if (noted_.size() == max_noted) noted_.clear();
+        noted_.push_back(one);
+        log_(now, [&] { return in_text(head) + ": presence bits without a field are ignored: " + in_hex(bits); });
+    }
+    static constexpr std::size_t max_complete = 256, max_noted = 256;
 
     const jaus_node_options& options_;
     limited_log& log_;
     std::vector<entry> all_{};
     peer_watch peers_;
+    std::vector<std::pair<jaus::address, std::uint16_t>> noted_{}; ///< who sends bits without a field in which message
     const jaus::liveness_table* present_{};
     time_point stale_at_{time_point::max()}; ///< when a large data set may have to be discarded
     bool going_{};
