@@ -293,6 +293,31 @@ TEST_CASE("an end reports a slave that was lost before and has not confirmed tha
     CHECK_FALSE(b.bridge->at_rest());
 }
 
+TEST_CASE("the state of a bridge's component is subscribed to") {
+    bench b;
+    b.serve();
+    b.start();
+    std::vector<status> told;
+    jauscat::subscription<jaus::report_component_status> changes;
+    b.unit.async_event<jaus::report_component_status>(
+        arm, jaus::create_event{.event_type = jaus::event_type::every_change}, [&](error_code why, auto events) {
+            REQUIRE_FALSE(why);
+            changes = std::move(events);
+        });
+    std::function<void()> next = [&] {
+        changes.async_next([&](error_code why, const jaus::report_component_status& report) {
+            if (why) return;
+            told.push_back(report.primary_status_code);
+            next();
+        });
+    };
+    REQUIRE(b.until([&] { return b.state == status::ready; }));
+    REQUIRE(b.until([&] { return b.drive(40); }));
+    next();
+    b.ring.with(0, [](auto& each) { each.power_cycle(); });
+    REQUIRE(b.until([&] { return std::ranges::count(told, status::failure) != 0 && told.back() == status::ready; }));
+}
+
 TEST_CASE("a bus that ends first says whether its slaves are at rest") {
     const bool is_silent = GENERATE(false, true);
     bench b;

@@ -101,6 +101,39 @@ TEST_CASE("an operator takes control, commands, asks, and receives reports in a 
     CHECK(test.stopped == 1);
 }
 
+TEST_CASE("core reports are subscribed to at any component, an operator's as well") {
+    driver_and_operator test;
+    test.run([&]() -> boost::asio::awaitable<void> {
+        auto states = co_await test.unit.async_connect<jaus::report_component_status>(test.arm, {.rate = 50});
+        const auto state = co_await next_report(states);
+        CHECK(state.primary_status_code == jaus::primary_status_code::ready);
+        auto controllers = co_await test.unit.async_event<jaus::report_component_control>(
+            test.arm, jaus::create_event{.event_type = jaus::event_type::every_change});
+        auto control = co_await test.unit.async_control(test.arm, {.authority = 100});
+        const auto by = co_await next_report(controllers);
+        CHECK(by.component_id == test.unit.address().component);
+        CHECK(by.authority_code == 100);
+        // The robot's driver asks the operator, as some robots do before they obey it.
+        auto others =
+            co_await test.driver.async_connect<jaus::report_component_status>(test.unit.address(), {.rate = 50});
+        const auto other = co_await next_report(others);
+        CHECK(other.primary_status_code == jaus::primary_status_code::ready);
+        const auto once = jaus::create_event{.event_type = jaus::event_type::one_time_on_demand};
+        auto names = co_await test.driver.async_event<jaus::report_identification>(test.unit.address(), once);
+        const auto name = co_await names.async_next();
+        CHECK(name->identification == "operator");
+        auto services = co_await test.driver.async_event<jaus::report_services>(test.unit.address(), once);
+        const auto offered = co_await services.async_next();
+        CHECK(offered->service.size() == 2);
+        co_await test.driver.async_send(test.unit.address(), jaus::set_time{.time_stamp = jaus::time_stamp{}});
+        auto times = co_await test.driver.async_connect<jaus::report_time>(test.unit.address(),
+                                                                           {.rate = 50, .presence_vector = 1});
+        const auto time = co_await next_report(times);
+        CHECK(time.time_stamp);
+        CHECK_FALSE(time.date_stamp);
+    });
+}
+
 TEST_CASE("events of every change come once for each change") {
     driver_and_operator test;
     test.run([&]() -> boost::asio::awaitable<void> {

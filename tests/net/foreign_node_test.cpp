@@ -134,15 +134,20 @@ TEST_CASE("a foreign communicator finds an open node without configuration and g
     REQUIRE(numbers(body.begin(), body.begin() + 3) == numbers{2, 0, 0}); // the service of type 0, and
     constexpr auto core_size = 1 + 2 + 1 + 17 * 6 + 1 + 9 * 6;
     REQUIRE(numbers(body.begin() + core_size, body.end()) ==
-            numbers{33, 0,                                              // a primitive driver's:
-                    4,                                                  // it takes
-                    8,  0,    0,    0,    0,    0,   10, 0, 0, 0, 0, 0, // requests for service connections,
-                    11, 0,    0,    0,    0,    0,   12, 0, 0, 0, 0, 0, //
-                    2,                                                  // and gives
-                    9,  0,    0,    0,    0,    0,                      // their confirmation,
-                    5,  0x44, 0xFF, 0xFF, 0xFF, 0xFF});                 // and Report Wrench Effort
+            numbers{33,   0,                                                    // a primitive driver's:
+                    8,                                                          // it takes
+                    8,    0,    0,    0,    0,    0,    10,   0,    0, 0, 0, 0, // requests for service connections
+                    11,   0,    0,    0,    0,    0,    12,   0,    0, 0, 0, 0, //
+                    0xF0, 1,    0,    0,    0,    0,    0xF1, 1,    0, 0, 0, 0, // and events,
+                    0xF2, 1,    0,    0,    0,    0,    0xF0, 0x21, 0, 0, 0, 0, //
+                    6,                                                          // and gives
+                    9,    0,    0,    0,    0,    0,                            // the confirmation of the former,
+                    5,    0x44, 0xFF, 0xFF, 0xFF, 0xFF,                         // Report Wrench Effort,
+                    0xF3, 1,    0,    0,    0,    0,    0xF4, 1,    0, 0, 0, 0, // and what belongs to events
+                    0xF1, 0x41, 0,    0,    0,    0,    0xF0, 0x41, 0, 0, 0, 0});
     body = ask({.code = 0x2B03, .source = communicator, .destination = {2, 1, 34, 1}}, 0x4B03);
-    REQUIRE(body.size() == core_size); // it has no more
+    REQUIRE(numbers(body.begin() + core_size, body.begin() + core_size + 2) == numbers{34, 0}); // only what all have
+    REQUIRE(body.size() == core_size + 2 + 1 + 8 * 6 + 1 + 5 * 6);
     body = ask({.code = 0x2B03, .source = communicator, .destination = manager}, 0x4B03);
     REQUIRE(numbers(body.begin(), body.begin() + 3) == numbers{1, 1, 0});
     body = ask({.code = 0x2B02, .source = communicator, .destination = manager}, 0x4B02);
@@ -182,13 +187,13 @@ TEST_CASE("a foreign operator connects, takes control, commands, and loses contr
     }
     other.send(r.port, {.code = 0x000C, .source = commander, .destination = driver, .body = {0x05, 0x44, body[2]}});
     while (other.wait_for(0x4405, 200ms)) {}
-    // A component without any says so.
+    // A component without this one says so.
     body = ask({.code = 0x0008,
                 .source = commander,
                 .destination = {2, 1, 34, 1},
                 .body = {0x05, 0x44, rate & 0xFF, rate >> 8, 0xFF, 0xFF, 0, 0}},
                0x0009);
-    REQUIRE(body == numbers{0x05, 0x44, 0, 0, 0, 2});
+    REQUIRE(body == numbers{0x05, 0x44, 0, 0, 0, 6});
     body =
         ask({.code = 0x01F0, .source = commander, .destination = {2, 1, 34, 1}, .body = {0, 7, 0x05, 0x44, 1}}, 0x01F4);
     REQUIRE(numbers(body.begin() + 1, body.begin() + 3) == numbers{7, 5}); // message not supported
@@ -208,6 +213,26 @@ TEST_CASE("a foreign operator connects, takes control, commands, and loses contr
     REQUIRE(ack->sequence == 4711);
     REQUIRE(ack->body.empty());
     REQUIRE(r.application.efforts.size() == 1);
+    // All presence bits, and the twelve fields: the bits without a field are ignored, and logged once.
+    numbers all_bits{0xFF, 0xFF, 0, 0x40};
+    all_bits.resize(2 + 6 * 2 + 6);
+    for (const unsigned sequence : {4712U, 4713U}) {
+        other.send(r.port, {.code = 0x0405,
+                            .source = commander,
+                            .destination = driver,
+                            .properties = 0x0216,
+                            .sequence = sequence,
+                            .body = all_bits});
+        ack = other.wait_for(0x0405);
+        REQUIRE(ack);
+        REQUIRE(ack->properties == 0x0236);
+    }
+    REQUIRE(r.application.efforts.size() == 3);
+    CHECK(r.application.efforts[2].propulsive_linear_effort_x.value() > 49);
+    CHECK(std::ranges::count_if(r.log, [](const std::string& line) {
+              return line == "command code 0x0405 7.1.32.1 -> 2.1.33.1: presence bits without a field are ignored: "
+                             "0xF000";
+          }) == 1);
     // Another of its subsystem has no control: NAK, and control is refused to it.
     constexpr jaus_id second{7, 1, 40, 1};
     other.send(r.port, {.code = 0x0405,
@@ -230,6 +255,48 @@ TEST_CASE("a foreign operator connects, takes control, commands, and loses contr
     other.fall_silent();
     REQUIRE(support::until(context, [&] { return has(r.disappeared, make(7, 1, 35)); }));
     REQUIRE_FALSE(r.core.control().controller());
+}
+
+TEST_CASE("a foreign robot connects to the core reports of any component, and to events of their changes") {
+    boost::asio::io_context context;
+    robot r{context};
+    foreign_node other{context};
+    const auto ask = [&](const raw_message& m, unsigned answer) { return asked(other, r.port, m, answer).body; };
+    other.repeat(r.port, {.code = 0x4202, .source = communicator, .destination = all_managers});
+    constexpr jaus_id plain{2, 1, 34, 1};
+    const unsigned rate = 20 * 65535 / 1092;
+    for (const auto& of : {plain, manager})
+        for (const unsigned report : {0x4001U, 0x4002U, 0x400DU, 0x4011U, 0x4202U, 0x4B00U, 0x4B03U}) {
+            CAPTURE(report, of[2]);
+            const auto confirmed = ask({.code = 0x0008,
+                                        .source = commander,
+                                        .destination = of,
+                                        .body = {report & 0xFF, report >> 8, rate & 0xFF, rate >> 8, 0xFF, 0xFF, 0, 0}},
+                                       0x0009);
+            REQUIRE(confirmed[5] == 0);
+            auto sent = other.wait_for(report);
+            while (sent && sent->properties != 0x0246) sent = other.wait_for(report); // heartbeats of its own
+            REQUIRE(sent);
+            REQUIRE(sent->source == of);
+            std::vector<unsigned> query;
+            if (report == 0x4011) query = {3};
+            if (report == 0x4B00) query = {4};
+            other.send(r.port, {.code = 0x000C,
+                                .source = commander,
+                                .destination = of,
+                                .body = {report & 0xFF, report >> 8, confirmed[2]}});
+            if (report != 0x4011) // it has passed
+                REQUIRE(ask({.code = report - 0x2000, .source = commander, .destination = of, .body = query}, report) ==
+                        sent->body);
+        }
+    // An event of every change of the state.
+    REQUIRE(ask({.code = 0x01F0, .source = commander, .destination = plain, .body = {0, 7, 0x02, 0x40, 1}},
+                0x01F3)[1] == 7);
+    other.send(r.port, {.code = 0x0006, .source = commander, .destination = plain, .body = {1, 0}});
+    const auto emergency = other.wait_for(0x41F1);
+    REQUIRE(emergency);
+    REQUIRE(numbers(emergency->body.begin() + 1, emergency->body.end()) ==
+            numbers{0x02, 0x40, 0, 5, 0, 0, 0, 5, 0, 0, 0, 0});
 }
 
 TEST_CASE("a foreign communicator is notified of changes by the event that it created") {

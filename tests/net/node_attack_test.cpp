@@ -271,7 +271,7 @@ TEST_CASE("the traffic that a stranger can cause at an open node is small, and b
         std::size_t most; ///< bytes of the answer
     };
     const std::vector<question> questions{
-        {0x2B00, manager_id, {2}, 24 + 84}, {0x2B00, robot_id, {4}, 24 + 84},  {0x2B03, robot_id, {}, 24 + 161},
+        {0x2B00, manager_id, {2}, 24 + 84}, {0x2B00, robot_id, {4}, 24 + 84},  {0x2B03, robot_id, {}, 24 + 250},
         {0x2B03, manager_id, {}, 24 + 83},  {0x2B01, manager_id, {2}, 24 + 9}, {0x2B02, manager_id, {}, 24 + 40},
         {0x2002, robot_id, {}, 24 + 5},     {0x2202, robot_id, {}, 24},        {0x9999, robot_id, {}, 24},
         {0x2002, {2, 1, 99, 1}, {}, 0},     {0x2002, {4, 1, 33, 1}, {}, 0},

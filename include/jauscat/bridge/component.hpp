@@ -89,6 +89,10 @@ class component {
     JAUSCAT_FUNCTION void on_time(time_point now, jaus::message_sink out);
     [[nodiscard]] JAUSCAT_FUNCTION std::optional<time_point> next_event() const;
     void on_lost(const jaus::address& who) { core_.on_lost(who); }
+    /// See jaus::component.
+    jaus::message_outcome answer_query(const jaus::header& query, bytes body, time_point now, jaus::message_sink out) {
+        return core_.answer_query(query, body, now, out);
+    }
 
     /// Brings the actuator to rest and refuses motion commands from now on. Call at the end of the program.
     JAUSCAT_FUNCTION void shut_down(time_point now, jaus::message_sink out);

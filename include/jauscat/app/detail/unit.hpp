@@ -51,6 +51,7 @@ struct given_report {
     std::uint32_t presence_bits{};
     double max_rate{};
     jaus::field_reader read_field{};
+    bool on_change{true}; ///< its events may be sent on change
     /// Writes the body; refused: there is no report now, or it does not encode.
     std::function<jaus::message_outcome(const report_request&, std::vector<std::byte>& body, component_state&)> write{};
 };

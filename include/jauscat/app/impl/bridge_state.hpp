@@ -71,6 +71,10 @@ class bridged_component {
         const auto locked = bus_.lock();
         if (unit) unit->on_lost(who);
     }
+    jaus::message_outcome answer_query(const jaus::header& query, bytes body, time_point now, jaus::message_sink out) {
+        const auto locked = bus_.lock();
+        return unit ? unit->answer_query(query, body, now, out) : jaus::message_outcome::unhandled;
+    }
     [[nodiscard]] std::uint8_t authority() const noexcept { return options_.authority; }
     [[nodiscard]] std::span<served_slave* const> slaves() const noexcept { return slaves_; }
 

@@ -4,6 +4,7 @@
 #include <jauscat/app/impl/component_state.hpp>
 #include <jauscat/app/impl/node_state.hpp>
 #include <jauscat/jaus/component/component.hpp>
+#include <jauscat/jaus/events/core_reports.hpp>
 #include <jauscat/jaus/events/events.hpp>
 #include <jauscat/jaus/events/service_connections.hpp>
 #include <jauscat/net/node/detail/offered_messages.hpp>
@@ -53,15 +54,21 @@ struct component_state::core {
     };
 
     core(component_state& of, const jaus::identity& identity, bool beats);
+    static const std::vector<given_report>& given_core_reports();
+    jaus::message_outcome write_core(const jaus::core_report& report, const report_request& request,
+                                     std::vector<std::byte>& body);
 
     static std::optional<std::size_t> fill(component_state& of, std::uint16_t code, const report_request& request,
                                            std::span<std::byte> body) {
-        const auto* const report = of.report_of(code);
+        const auto& gives = of.core_->gives;
+        const auto found = std::ranges::find(gives, code, &given_report::command_code);
+        const auto* const report = found == gives.end() ? nullptr : *found;
         if (report == nullptr || of.write(*report, request) != jaus::message_outcome::handled) return std::nullopt;
         if (of.body_.size() <= body.size()) std::ranges::copy(of.body_, body.begin());
         return of.body_.size();
     }
 
+    std::vector<const given_report*> gives; ///< of the application, and of the core service
     std::vector<jaus::connectable_report> connectable{};
     std::vector<jaus::eventful_report> eventful{};
     connection_filler fill_connection;
@@ -82,18 +89,60 @@ struct component_state::core {
     component_type machine;
 };
 
+/// The reports that every component has, written as it answers the queries for them.
+inline const std::vector<given_report>& component_state::core::given_core_reports() {
+    static const auto all = [] {
+        std::vector<given_report> made;
+        for (const auto& one : jaus::core_reports)
+            made.push_back({.command_code = one.command_code,
+                            .query_code = one.query_code,
+                            .presence_bits = one.presence_bits(),
+                            .max_rate = jaus::max_core_report_rate,
+                            .read_field = one.read_field,
+                            .on_change = one.on_change,
+                            .write = [&one](const report_request& request, std::vector<std::byte>& body,
+                                            component_state& of) { return of.core_->write_core(one, request, body); }});
+        return made;
+    }();
+    return all;
+}
+
+inline jaus::message_outcome component_state::core::write_core(const jaus::core_report& report,
+                                                               const report_request& request,
+                                                               std::vector<std::byte>& body) {
+    const std::array vector{static_cast<std::byte>(request.presence_bits)};
+    bytes query = request.query != nullptr ? *request.query : bytes{};
+    if (request.query == nullptr && report.has_fields()) query = vector;
+    body.resize(jaus::max_body_size);
+    const auto size = jaus::write_core_report(report, machine.self(), query, body, net::now(),
+                                              jaus::bound<&component_type::answer_query>(machine));
+    body.resize(size.value_or(0));
+    return size ? jaus::message_outcome::handled : jaus::message_outcome::refused;
+}
+
 inline component_state::core::core(component_state& of, const jaus::identity& identity, bool beats)
-    : connectable{[&] {
+    : gives{[&] {
+          std::vector<const given_report*> all;
+          for (const auto& one : of.gives_) all.push_back(&one);
+          for (const auto& one : given_core_reports())
+              if (of.report_of(one.command_code) == nullptr) all.push_back(&one);
+          return all;
+      }()},
+      connectable{[&] {
           std::vector<jaus::connectable_report> all;
-          for (const auto& one : of.gives_)
-              all.push_back(
-                  {.command_code = one.command_code, .max_rate = one.max_rate, .presence_vector = one.presence_bits});
+          for (const auto* const one : gives)
+              all.push_back({.command_code = one->command_code,
+                             .max_rate = one->max_rate,
+                             .presence_vector = one->presence_bits});
           return all;
       }()},
       eventful{[&] {
           std::vector<jaus::eventful_report> all;
-          for (const auto& one : of.gives_)
-              all.push_back({.command_code = one.command_code, .read_field = one.read_field, .max_rate = one.max_rate});
+          for (const auto* const one : gives)
+              all.push_back({.command_code = one->command_code,
+                             .read_field = one->read_field,
+                             .max_rate = one->max_rate,
+                             .on_change = one->on_change});
           return all;
       }()},
       fill_connection{of},
@@ -102,7 +151,7 @@ inline component_state::core::core(component_state& of, const jaus::identity& id
       connection_memory(4096),
       event_memory(3 * 4096),
       services_memory(2 * 4096),
-      last(of.gives_.size()),
+      last(gives.size()),
       connections{of.self_, connectable, fill_connection, connection_memory},
       events{of.self_, eventful, fill_event, event_memory},
       offered{of, connections, events},
@@ -378,14 +427,15 @@ JAUSCAT_DECL jaus::message_outcome component_state::handle(const jaus::header& h
 /// Finds the reports with events that have changed.
 JAUSCAT_DECL void component_state::send_changes(time_point now, jaus::message_sink out) {
     const auto records = core_->events.records();
-    for (std::size_t i = 0; i != gives_.size(); ++i) {
+    for (std::size_t i = 0; i != core_->gives.size(); ++i) {
+        const auto& report = *core_->gives[i];
         auto& last = core_->last[i];
-        const auto code = gives_[i].command_code;
-        if (std::ranges::none_of(records, [&](const auto& e) { return e.message_code == code; })) {
+        const auto code = report.command_code;
+        if (!report.on_change || std::ranges::none_of(records, [&](const auto& e) { return e.message_code == code; })) {
             last.clear();
             continue;
         }
-        if (write(gives_[i], {}) != jaus::message_outcome::handled || last == body_) continue;
+        if (write(report, {}) != jaus::message_outcome::handled || last == body_) continue;
         const bool is_first = last.empty();
         last = body_;
         if (!is_first) core_->events.changed(code, last, now, out);

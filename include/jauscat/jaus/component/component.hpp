@@ -136,6 +136,20 @@ template <class... Parts> class component {
         each_part([&](auto& part) { part.on_lost(who); });
     }
 
+    /// Answers a query of the core service, or of a part, as it would one that is received, without further effect: for
+    /// connections to core_reports and events of them.
+    constexpr message_outcome answer_query(const header& query, std::span<const std::byte> body, time_point now,
+                                           message_sink out) {
+        message_outcome outcome = state_.on_message(query, body, now, out);
+        const auto ask = [&](auto& next) {
+            if (outcome == message_outcome::unhandled) outcome = next.on_message(query, body, now, out);
+        };
+        ask(control_);
+        ask(clock_);
+        each_part(ask);
+        return outcome;
+    }
+
     /// Collects from the parts that have such a function the messages that they handle and send.
     constexpr void list_messages(auto&& takes, auto&& sends) const {
         each_part([&](const auto& part) {

@@ -64,6 +64,7 @@ class described_component {
     heartbeat beat_;
     std::span<std::byte> memory_;
     time_point next_{duration::min() / 2};
+    std::uint16_t beats_{}; ///< sent, modulo 65536
 };
 
 } // namespace jauscat::jaus

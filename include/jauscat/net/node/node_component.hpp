@@ -36,7 +36,7 @@ concept takes_component_message = requires(C& component, const jaus::header& hea
 ///   component leaves goes to `application`, a jaus::component_application of any type.
 /// - `on_time`, `next_event` and `on_lost` as in jaus::component_part.
 ///
-/// Optional: `list_messages(takes, sends) const`, see jaus::component_part.
+/// Optional: `list_messages(takes, sends) const`, see jaus::component_part; `answer_query`, see jaus::component.
 template <class C>
 concept node_component =
     detail::has_self<C> && detail::takes_component_message<C> && jaus::operations::has_on_time<C> &&

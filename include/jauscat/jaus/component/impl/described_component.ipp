@@ -45,7 +45,8 @@ JAUSCAT_CONSTEXPR void described_component::on_time(time_point now, message_sink
     if (beat_.period <= duration{} || now < next_) return;
     const time_point following = saturating_add(next_, beat_.period);
     next_ = following > now ? following : saturating_add(now, beat_.period);
-    static_cast<void>(put({.destination = beat_.to, .source = self_}, report_heartbeat_pulse{}, out));
+    static_cast<void>(
+        put({.destination = beat_.to, .source = self_, .sequence_number = beats_++}, report_heartbeat_pulse{}, out));
 }
 
 JAUSCAT_CONSTEXPR std::optional<time_point> described_component::next_event() const noexcept {

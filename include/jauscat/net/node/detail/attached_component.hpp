@@ -35,7 +35,19 @@ struct attached_component {
           on_time_{
               [](void* to, time_point now, jaus::message_sink out) { static_cast<Component*>(to)->on_time(now, out); }},
           next_event_{[](void* of) { return static_cast<Component*>(of)->next_event(); }},
-          on_lost_{[](void* to, const jaus::address& who) { static_cast<Component*>(to)->on_lost(who); }} {}
+          on_lost_{[](void* to, const jaus::address& who) { static_cast<Component*>(to)->on_lost(who); }},
+          answer_query_{[](void* of, const jaus::header& query, bytes body, time_point now, jaus::message_sink out) {
+              using jaus::message_outcome;
+              auto& one = *static_cast<Component*>(of);
+              if constexpr (requires { one.answer_query(query, body, now, out); }) {
+                  return one.answer_query(query, body, now, out);
+              } else {
+                  const auto nothing = [](const jaus::header&, bytes) { return message_outcome::unhandled; };
+                  const auto what = one.on_message(query, body, now, out, unhandled{nothing});
+                  return what == jaus::component_outcome::handled ? message_outcome::handled
+                                                                  : message_outcome::unhandled;
+              }
+          }} {}
 
     jaus::component_outcome on_message(const jaus::header& head, bytes body, time_point now, jaus::message_sink out,
                                        unhandled rest) {
@@ -44,6 +56,11 @@ struct attached_component {
     void on_time(time_point now, jaus::message_sink out) { on_time_(component_, now, out); }
     [[nodiscard]] std::optional<time_point> next_event() { return next_event_(component_); }
     void on_lost(const jaus::address& who) { on_lost_(component_, who); }
+    /// Of the core service. A component without such a function gets it as a message.
+    jaus::message_outcome answer_query(const jaus::header& query, bytes body, time_point now,
+                                       jaus::message_sink out) const {
+        return answer_query_(component_, query, body, now, out);
+    }
 
     jaus::address self;
 
@@ -55,6 +72,7 @@ struct attached_component {
     void (*on_time_)(void*, time_point, jaus::message_sink);
     std::optional<time_point> (*next_event_)(void*);
     void (*on_lost_)(void*, const jaus::address&);
+    jaus::message_outcome (*answer_query_)(void*, const jaus::header&, bytes, time_point, jaus::message_sink);
 };
 
 } // namespace jauscat::net::detail

@@ -1,9 +1,10 @@
-// Events of a node manager: Report Configuration, sent when components of the subsystem appear or disappear.
+// Events of a node manager: of the core service, and Report Configuration, sent when components of the subsystem appear
+// or disappear.
 #pragma once
 
 #include <jauscat/base/time.hpp>
-#include <jauscat/jaus/events/events.hpp>
 #include <jauscat/jaus/routing/node_manager.hpp>
+#include <jauscat/net/node/detail/core_subscriptions.hpp>
 
 #include <array>
 
@@ -23,17 +24,15 @@ class configuration_events {
     };
     static constexpr double max_per_second = 10; ///< limits the load of the receiver
     static constexpr auto code = jaus::command_code_of<jaus::report_configuration>;
-    static constexpr std::array reports{jaus::eventful_report{.command_code = code, .max_rate = max_per_second}};
 
     filler fill_;
-    std::array<std::byte, 2 * 4096> memory_{};
     std::array<std::byte, jaus::max_body_size> report_{};
 
   public:
-    static constexpr std::size_t most = 32;
-
-    configuration_events(const jaus::address& self, const jaus::node_manager& manager)
-        : fill_{manager}, part{self, reports, fill_, memory_} {}
+    /// `answer` answers the queries of the core service.
+    configuration_events(const jaus::address& self, const jaus::node_manager& manager, jaus::query_answer answer)
+        : fill_{manager},
+          part{self, answer, jaus::eventful_report{.command_code = code, .max_rate = max_per_second}, fill_} {}
     configuration_events(const configuration_events&) = delete;
     configuration_events& operator=(const configuration_events&) = delete;
 
@@ -43,7 +42,7 @@ class configuration_events {
             part.changed(code, std::span<const std::byte>{report_}.first(*size), now, out);
     }
 
-    jaus::events<most> part;
+    core_subscriptions part;
 };
 
 } // namespace jauscat::net::detail

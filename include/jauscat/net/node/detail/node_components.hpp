@@ -80,6 +80,9 @@ class node_components {
                 jaus::reassembly_limits{.linger_of_copies = options_.large_data_pause / 4 * 3,
                                         .linger_of_repeats = large_data_queue::memory,
                                         .longest_gap = longest_gap()});
+        constexpr jaus::address all{255, 255, 255, 255};
+        for (auto& one : all_)
+            if (one.answers) one.answers->subscriptions().on_lost(all);
         stale_at_ = time_point::max();
         peers_.clear();
         present_ = present;
@@ -117,7 +120,11 @@ class node_components {
     void on_time(time_point now, jaus::message_sink out) {
         for (auto& one : all_) {
             one.changed = true;
-            if (going_) one.it.on_time(now, out);
+            if (!going_) continue;
+            one.it.on_time(now, out);
+            if (!one.answers) continue;
+            one.answers->subscriptions().on_time(now, out);
+            one.answers->subscriptions().look(now, out);
         }
         if (going_) watch_peers(now, out);
         if (!going_ || now < stale_at_) return;
@@ -133,7 +140,12 @@ class node_components {
     [[nodiscard]] std::optional<time_point> next_event() {
         time_point next = std::min(stale_at_, peers_.next_event().value_or(time_point::max()));
         for (auto& one : all_) {
-            if (std::exchange(one.changed, false)) one.next = one.it.next_event().value_or(time_point::max());
+            if (std::exchange(one.changed, false)) {
+                one.next = one.it.next_event().value_or(time_point::max());
+                if (one.answers)
+                    one.next =
+                        std::min(one.next, one.answers->subscriptions().next_event().value_or(time_point::max()));
+            }
             next = std::min(next, one.next);
         }
         return next == time_point::max() ? std::nullopt : std::optional{next};
@@ -174,7 +186,9 @@ class node_components {
     void report_lost_components(const jaus::address& who) {
         for (auto& one : all_) {
             one.changed = true;
-            if (going_) one.it.on_lost(who);
+            if (!going_) continue;
+            one.it.on_lost(who);
+            if (one.answers) one.answers->subscriptions().on_lost(who);
         }
     }
     void watch_peers(time_point now, jaus::message_sink out) {
@@ -270,6 +284,7 @@ class node_components {
         const auto what =
             to.on_message(head, body, now, out,
                           receiver.answers ? attached_component::unhandled{rest} : attached_component::unhandled{});
+        if (receiver.answers) receiver.answers->subscriptions().look(now, out);
         if ((what == handled || what == deferred) && peer_watch::binds(head.command_code) && !is_here(head.source) &&
             !peers_.bind(head.source, to.self, now))
             log_(now, [&] {

@@ -13,14 +13,14 @@ struct offered_messages {
     std::vector<jaus::supported_message> input{}, output{};
 
     /// Calls `list_messages(takes, sends)` of those in `all` that have it.
-    explicit offered_messages(const auto&... all) { (ask(all), ...); }
-
-  private:
-    void ask(const auto& one) {
+    explicit offered_messages(const auto&... all) { (add(all), ...); }
+    void add(const auto& one) {
         const auto takes = [this](const jaus::supported_message& m) { add(input, jaus::core_messages::input, m); };
         const auto sends = [this](const jaus::supported_message& m) { add(output, jaus::core_messages::output, m); };
         if constexpr (requires { one.list_messages(takes, sends); }) one.list_messages(takes, sends);
     }
+
+  private:
     static void add(std::vector<jaus::supported_message>& list, const auto& core, const jaus::supported_message& m) {
         constexpr std::size_t most = 255;
         const auto code = &jaus::supported_message::command_code;

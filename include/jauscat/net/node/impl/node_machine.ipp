@@ -56,7 +56,7 @@ JAUSCAT_DECL void node_machine::add(detail::attached_component component, detail
                                     std::to_string(self_.subsystem) + '.' + std::to_string(self_.node)};
     if (has_manager() && id == self_)
         throw std::invalid_argument{"the node has its node manager, " + to_jausip(id) + ", already"};
-    auto answers = std::make_unique<detail::default_answers>(config_, id, std::move(messages));
+    auto answers = std::make_unique<detail::default_answers>(config_, component, std::move(messages));
     parts_->core.components.add(component, std::move(answers));
 }
 

@@ -29,7 +29,7 @@ struct own_manager::parts {
                    .timeout = options.timeout,
                    .appeared = changes.appeared,
                    .disappeared = changes.disappeared}},
-          events{self, manager},
+          events{self, manager, jaus::bound<&parts::answer_query>(*this)},
           core{self, memory, {}, {}, manager, events.part} {
         core.change(jaus::state_event::initialized);
     }
@@ -39,6 +39,24 @@ struct own_manager::parts {
     jaus::message_outcome operator()(const jaus::header&, std::span<const std::byte>) const noexcept {
         return jaus::message_outcome::unhandled;
     }
+    jaus::message_outcome answer_query(const jaus::header& query, std::span<const std::byte> body, time_point now,
+                                       jaus::message_sink out) {
+        return core.answer_query(query, body, now, out);
+    }
+    // As a component: the core, and the events of its changes.
+    [[nodiscard]] const jaus::address& self() const noexcept { return core.self(); }
+    jaus::component_outcome on_message(const jaus::header& head, std::span<const std::byte> body, time_point now,
+                                       jaus::message_sink out, attached_component::unhandled rest) {
+        const auto outcome = core.on_message(head, body, now, out, rest);
+        events.part.look(now, out);
+        return outcome;
+    }
+    void on_time(time_point now, jaus::message_sink out) {
+        core.on_time(now, out);
+        events.part.look(now, out);
+    }
+    [[nodiscard]] std::optional<time_point> next_event() const noexcept { return core.next_event(); }
+    void on_lost(const jaus::address& who) { core.on_lost(who); }
     static std::vector<jaus::configured_component> listed(const jaus_config& config, const jaus::address& self,
                                                           std::span<const jaus::address> components) {
         std::vector<jaus::configured_component> all;
@@ -71,7 +89,7 @@ struct own_manager::parts {
     configuration_events events;
     jaus::component_memory<> memory{};
 
-    jaus::component<jaus::node_manager, jaus::events<configuration_events::most>> core;
+    jaus::component<jaus::node_manager, core_subscriptions> core;
 };
 
 JAUSCAT_DECL own_manager::own_manager(const jaus_config& config, const jaus::address& self,
@@ -80,7 +98,7 @@ JAUSCAT_DECL own_manager::own_manager(const jaus_config& config, const jaus::add
     : parts_{std::make_unique<parts>(config, self, components, options, changes)} {}
 JAUSCAT_DECL own_manager::~own_manager() = default;
 
-JAUSCAT_DECL attached_component own_manager::component() noexcept { return {parts_->core, *parts_}; }
+JAUSCAT_DECL attached_component own_manager::component() noexcept { return {*parts_, *parts_}; }
 JAUSCAT_DECL const jaus::liveness_table& own_manager::present() const noexcept { return parts_->manager.present(); }
 JAUSCAT_DECL void own_manager::tell_change(const jaus::address& who, time_point now, jaus::message_sink out) {
     if (who.subsystem == parts_->core.self().subsystem) parts_->events.changed(now, out);
