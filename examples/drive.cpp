@@ -7,6 +7,7 @@
 
 #include <exception>
 #include <iostream>
+#include <string_view>
 
 namespace asio = boost::asio;
 namespace jaus = jauscat::jaus;
@@ -15,13 +16,12 @@ namespace jaus = jauscat::jaus;
 asio::awaitable<void> drive(jauscat::component& unit, jaus::address driver) {
     auto control = co_await unit.async_control(driver, {.authority = 100}); // until the end of the scope
     co_await control.async_send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50}); // until acknowledged
-    const auto report = co_await unit.async_ask(driver, jaus::query_wrench_effort{.presence_vector = 0x0001});
-    std::cout << "in force: " << report.propulsive_linear_effort_x.value() << " %\n";
+    const auto show = [](std::string_view what, const jaus::report_wrench_effort& report) {
+        if (const auto& x = report.propulsive_linear_effort_x) std::cout << what << *x << " %\n";
+    };
+    show("in force: ", co_await unit.async_ask(driver, jaus::query_wrench_effort{.presence_vector = 0x0001}));
     auto efforts = co_await unit.async_connect<jaus::report_wrench_effort>(driver, {.rate = 20}); // hertz
-    for (int i = 0; i != 3; ++i) {
-        const auto next = co_await efforts.async_next();
-        std::cout << "reported: " << next.propulsive_linear_effort_x.value() << " %\n";
-    }
+    for (int i = 0; i != 3; ++i) show("reported: ", co_await efforts.async_next());
 }
 // [drive end]
 

@@ -9,10 +9,11 @@ int main(int argc, char** argv) {
     jauscat::node node{argc, argv};
     jauscat::component driver{node, {.id = 33, .name = "Primitive Driver"}};
 
-    jaus::report_wrench_effort effort{};
+    constexpr auto at_rest = jaus::all_zero<jaus::report_wrench_effort>();
+    auto effort = at_rest;
     driver.on([&](const jaus::set_wrench_effort& told) { jaus::copy_present(told, effort); }); // and set the motors
     driver.reports([&] { return effort; });
-    driver.when_stopped([&] { effort = {}; }); // not Ready, emergency, controller lost: motors at rest
+    driver.when_stopped([&] { effort = at_rest; }); // not Ready, emergency, controller lost: motors at rest
     driver.ready();
     return node.run();
 }

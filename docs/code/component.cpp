@@ -47,7 +47,7 @@ class driver {
                  });
         unit_.reports([this] { return in_force_; }, 100); // hertz, the most that a receiver may ask for
         unit_.every(10ms, [this] { in_force_ = told_; }); // read sensors, set motors; fail() if that goes wrong
-        unit_.when_stopped([this] { in_force_ = told_ = {}; });
+        unit_.when_stopped([this] { in_force_ = told_ = at_rest; });
         unit_.when_controlled([](const std::optional<jaus::address>& by) {
             std::cout << (by ? "driver: controlled\n" : "driver: free\n");
         });
@@ -56,7 +56,8 @@ class driver {
     [[nodiscard]] jaus::address address() const { return unit_.address(); }
 
   private:
-    jaus::report_wrench_effort told_{}, in_force_{};
+    static constexpr auto at_rest = jaus::all_zero<jaus::report_wrench_effort>();
+    jaus::report_wrench_effort told_ = at_rest, in_force_ = at_rest;
     jauscat::component unit_;
 };
 // [component end]

@@ -23,10 +23,10 @@ class driver {
   private:
     using header = jaus::header;
     void on_state(jaus::primary_status_code, jaus::primary_status_code now) {
-        if (now != jaus::primary_status_code::ready) effort_ = {}; // motors at rest
+        if (now != jaus::primary_status_code::ready) effort_ = at_rest; // motors at rest
     }
     void on_controller(const std::optional<jaus::controller>& who, jaus::control_change why) {
-        if (why == jaus::control_change::lost) effort_ = {};
+        if (why == jaus::control_change::lost) effort_ = at_rest;
         std::cout << (who ? "driver: controlled\n" : "driver: free\n");
     }
     struct application_type {
@@ -53,7 +53,8 @@ class driver {
     static constexpr std::array reports{
         jaus::connectable_report{.command_code = jaus::command_code_of<jaus::report_wrench_effort>, .max_rate = 100}};
 
-    jaus::report_wrench_effort effort_{.propulsive_linear_effort_x = 0.0};
+    static constexpr auto at_rest = jaus::all_zero<jaus::report_wrench_effort>();
+    jaus::report_wrench_effort effort_ = at_rest;
     application_type application_{*this};
     filler fill_{*this};
     std::array<std::byte, 64> report_{};

@@ -27,7 +27,8 @@ int main(int argc, char** argv) try {
     auto self = node.manager();
     self.component = 33; // Primitive Driver
 
-    jaus::report_wrench_effort effort{};
+    constexpr auto at_rest = jaus::all_zero<jaus::report_wrench_effort>();
+    auto effort = at_rest;
     jaus::dispatcher own{
         jaus::on<jaus::set_wrench_effort>([&](const jaus::header&, const jaus::set_wrench_effort& commanded) {
             jaus::copy_present(commanded, effort); // and set the motors
@@ -38,8 +39,8 @@ int main(int argc, char** argv) try {
             const auto sent = node.send({.destination = head.source, .source = self}, answer);
             if (!sent) std::cout << sent.error().message << std::endl;
         })};
-    const auto rest = [&effort](state, state now) {
-        if (now != state::ready) effort = {}; // standby, emergency, shutdown: motors at rest
+    const auto rest = [&](state, state now) {
+        if (now != state::ready) effort = at_rest; // standby, emergency, shutdown: motors at rest
     };
     jaus::component_memory<> memory{};
     jaus::component driver{self, memory, {.on_state = rest}, {}};

@@ -5,4 +5,5 @@
 #include <jauscat/app/bus.hpp>
 #include <jauscat/app/component.hpp>
 #include <jauscat/app/node.hpp>
+#include <jauscat/jaus/message/all_zero.hpp>
 #include <jauscat/jaus/message/copy_present.hpp>

@@ -30,6 +30,7 @@
 #include <jauscat/jaus/component/described_component.hpp>
 #include <jauscat/jaus/component/dispatcher.hpp>
 #include <jauscat/jaus/component/held_control.hpp>
+#include <jauscat/jaus/events/core_reports.hpp>
 #include <jauscat/jaus/events/event_consumer.hpp>
 #include <jauscat/jaus/events/events.hpp>
 #include <jauscat/jaus/events/report_field.hpp>
@@ -37,6 +38,7 @@
 #include <jauscat/jaus/events/service_consumer.hpp>
 #include <jauscat/jaus/large_data/large_data_sender.hpp>
 #include <jauscat/jaus/large_data/reassembler.hpp>
+#include <jauscat/jaus/message/all_zero.hpp>
 #include <jauscat/jaus/message/copy_present.hpp>
 #include <jauscat/jaus/message/framing.hpp>
 #include <jauscat/jaus/message/message.hpp>

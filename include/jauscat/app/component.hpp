@@ -29,7 +29,7 @@ inline namespace JAUSCAT_WAY {
 ///     jauscat::component driver{node, {.id = 33, .name = "Primitive Driver"}};
 ///     driver.on([&](const jaus::set_wrench_effort& told) { jaus::copy_present(told, effort); });
 ///     driver.reports([&] { return effort; });
-///     driver.when_stopped([&] { effort = {}; });
+///     driver.when_stopped([&] { effort = jaus::all_zero<jaus::report_wrench_effort>(); });
 ///     driver.ready();
 ///
 /// Nothing of it is called after its end. An exception of a handler is logged, refuses the message, and brings the

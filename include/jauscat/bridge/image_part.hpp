@@ -2,8 +2,8 @@
 #pragma once
 #include <jauscat/bridge/image_exchange.hpp>
 #include <jauscat/bridge/process_part.hpp>
+#include <jauscat/jaus/message/all_zero.hpp>
 #include <jauscat/jaus/message/message.hpp>
-#include <jauscat/wire/visit.hpp>
 
 #include <array>
 #include <cstddef>
@@ -34,17 +34,6 @@ template <class Commands, class Reports> consteval bool are_image_tables() noexc
     return command_table<Commands> && report_table<Reports>;
 }
 
-template <class Message> [[nodiscard]] constexpr Message all_zero() noexcept {
-    Message message{};
-    wire::visit(message, [](auto, auto& member) {
-        if constexpr (requires { member.emplace(); })
-            member.emplace();
-        else
-            member = {};
-    });
-    return message;
-}
-
 template <class Commands, class Reports, bool = are_image_tables<Commands, Reports>()> class image_part_of {};
 
 template <class Commands, class Reports> class image_part_of<Commands, Reports, true> : public process_part {
@@ -54,7 +43,7 @@ template <class Commands, class Reports> class image_part_of<Commands, Reports, 
 
   public:
     /// `at_rest` is the command that brings the actuator to rest; by default all its fields are zero.
-    explicit image_part_of(const command_type& at_rest = all_zero<command_type>()) noexcept {
+    explicit image_part_of(const command_type& at_rest = jaus::all_zero<command_type>()) noexcept {
         if (const auto encoded = wire::encode(at_rest, rest_)) rest_size_ = encoded->size();
     }
 
