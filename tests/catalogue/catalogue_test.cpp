@@ -79,8 +79,9 @@ TEST_CASE("the places of presence vectors are those of the schemas") {
     for (const auto& message : catalogue::ra_3_3()) {
         INFO(message.name());
         std::size_t offset = 0;
-        const auto places = std::ranges::equal_range(jaus::presence_vectors, message.command_code(), {},
-                                                     &jaus::presence_vector_place::command_code);
+        std::vector<jaus::presence_vector_place> places;
+        std::ranges::copy_if(jaus::presence_vectors, std::back_inserter(places),
+                             [&](const auto& one) { return one.command_code == message.command_code(); });
         auto place = places.begin();
         const auto expect = [&](std::size_t size, std::uint32_t fields) {
             REQUIRE(place != places.end());

@@ -83,15 +83,19 @@ inline constexpr std::array presence_vectors = std::to_array<presence_vector_pla
 });
 
 namespace detail {
+/// The first place of this code, or of the next higher one.
+[[nodiscard]] constexpr const presence_vector_place* first_vector(std::uint16_t command_code) noexcept {
+    return std::ranges::lower_bound(presence_vectors, command_code, {}, &presence_vector_place::command_code);
+}
 [[nodiscard]] constexpr std::uint32_t bits_without_field(std::uint16_t command_code,
                                                          std::span<const std::byte> body) noexcept {
-    for (const auto& place :
-         std::ranges::equal_range(presence_vectors, command_code, {}, &presence_vector_place::command_code)) {
-        if (body.size() < std::size_t{place.offset} + place.size) return 0;
+    const auto* const end = presence_vectors.data() + presence_vectors.size();
+    for (const auto* place = first_vector(command_code); place != end && place->command_code == command_code; ++place) {
+        if (body.size() < std::size_t{place->offset} + place->size) return 0;
         std::uint32_t vector = 0;
-        for (std::size_t i = 0; i != place.size; ++i)
-            vector |= std::to_integer<std::uint32_t>(body[place.offset + i]) << 8 * i;
-        if ((vector & ~place.fields) != 0) return vector & ~place.fields;
+        for (std::size_t i = 0; i != place->size; ++i)
+            vector |= std::to_integer<std::uint32_t>(body[place->offset + i]) << 8 * i;
+        if ((vector & ~place->fields) != 0) return vector & ~place->fields;
     }
     return 0;
 }
@@ -113,9 +117,11 @@ namespace detail {
     switch (command_code) {
     case command_code_of<create_service_connection>:
         return in(create_service_connection{}, [](const create_service_connection& request) {
-            const auto of_report = std::ranges::equal_range(presence_vectors, request.command_code, {},
-                                                            &presence_vector_place::command_code);
-            return of_report.empty() ? 0 : request.requested_presence_vector & ~of_report.front().fields;
+            const auto* const of_report = detail::first_vector(request.command_code);
+            return of_report != presence_vectors.data() + presence_vectors.size() &&
+                           of_report->command_code == request.command_code
+                       ? request.requested_presence_vector & ~of_report->fields
+                       : 0;
         });
     case command_code_of<create_event>: return in(create_event{}, of_query);
     case command_code_of<update_event>: return in(update_event{}, of_query);
