@@ -154,7 +154,8 @@ TEST_CASE("a lenient presence vector ignores the bits that the layout does not d
         [] { return decode_error<with_spare_bits>(bytes(0xFF, 1, 0x02, 0x01, 0xAA, 9)) == errc::trailing_bytes; });
     both_ways([] { return decode_error<with_spare_bits>(bytes(0xFF, 1, 0x02, 0x01)) == errc::truncated; });
     both_ways([] {
-        const wire::view<with_spare_bits> view{bytes(0xFD, 1, 9)};
+        const auto in = bytes(0xFD, 1, 9);
+        const wire::view<with_spare_bits> view{in};
         return view.get<&with_spare_bits::first>() == 1 && !view.get<&with_spare_bits::second>() &&
                view.get<&with_spare_bits::last>() == 9;
     });
