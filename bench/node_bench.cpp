@@ -70,7 +70,9 @@ class component {
     /// Takes messages from the client alone.
     void guard(std::uint16_t client_port) {
         gate_.emplace(config_of({entry("here", {.subsystem = 2}, 1), entry("client", {.subsystem = 1}, client_port)}));
-        udp_.set_filter([this](auto message, const auto& from) { return (*gate_)(message, from, net::now()); });
+        udp_.set_filter([this](auto message, const auto& from, auto framing) {
+            return (*gate_)(message, from, net::now(), framing);
+        });
     }
     std::uint16_t port() const { return udp_.local().port(); }
     void run(const std::atomic<bool>&) {

@@ -83,7 +83,14 @@ void check_dispatch(const jaus::split_message& m) {
 
 void fuzz::run(std::span<const std::byte> input) {
     const auto framed = jaus::remove_framing(input);
-    check(framed.message.size() + jaus::prefix(framed.how).size() == input.size(), "only the prefix is taken off");
+    const jaus::message_prefix prefix{framed.how, framed.message.size()};
+    check(std::ranges::equal(input.first(prefix.bytes().size()), prefix.bytes()), "the prefix is that of the framing");
+    check(framed.message.size() + prefix.bytes().size() + framed.rest.size() == input.size(), "only that is taken off");
+    for (auto part = framed; !part.rest.empty() && !part.message.empty();) {
+        const auto before = part.rest.size();
+        part = jaus::next_message(part);
+        check(part.message.empty() || part.rest.size() + part.message.size() + 4 == before, "no byte is lost");
+    }
     const byte_vector message = copy_of(framed.message);
     const auto m = jaus::split(message);
     check(!text::annotate_message(message, one_of_each_kind{}).empty(), "there is a text for any bytes");

@@ -122,6 +122,20 @@ TEST_CASE("frames of every link type hold messages, with and without the prefix"
     }
 }
 
+TEST_CASE("a capture whose messages are all of SAE JAUS says so, with exit code 1") {
+    const scratch files;
+    const auto sae = ethernet_frame(udp_packet("02 00 1000 01 01010100 02010100 0220 0000"));
+    write_capture(files / "capture", dump_test::link_ethernet, {sae, sae});
+    const auto result = run(files / "capture");
+    CHECK(result.code == 1);
+    CHECK(result.says("no message of RA 3.3: 2 datagrams are SAE JAUS (AS5669A, version 2), which is not supported\n"));
+    // Beside messages of RA 3.3 they are counted.
+    write_capture(files / "capture", dump_test::link_ethernet, {sae, ethernet_frame(udp_packet(status))});
+    const auto mixed = run(files / "capture");
+    CHECK(mixed.code == 0);
+    CHECK(mixed.says("\n1 datagram is SAE JAUS (AS5669A, version 2), which is not supported\n"));
+}
+
 TEST_CASE("data that are not JAUS are counted by reason") {
     const scratch files;
     const auto frame = [](const std::string& payload) { return ethernet_frame(udp_packet(payload)); };

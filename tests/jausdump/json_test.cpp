@@ -149,6 +149,15 @@ TEST_CASE("presence bits that stand for no field are ignored and told") {
     CHECK_FALSE(object_of("0602 0504 01210202 01200101 0400 2200 0100 0040").contains("ignored_presence_bits"));
 }
 
+TEST_CASE("all messages of a line of AS5669-2007 are read") {
+    const auto lines = run("--format json", "01 0000 0010 0602 0220 01210164 01280101 0000 0000"
+                                            "0000 0010 0602 0242 0101ffff 01010101 0000 0000\n")
+                           .objects();
+    REQUIRE(lines.size() == 2);
+    CHECK(lines[0].at("message") == "Query Component Status");
+    CHECK(lines[1].at("message") == "Report Heartbeat Pulse");
+}
+
 TEST_CASE("a broken message is shown with the field and byte at fault") {
     const auto error_of = [](const std::string& hex) {
         const auto error = object_of(hex).at("error");

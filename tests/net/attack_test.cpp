@@ -192,7 +192,8 @@ TEST_CASE("every datagram of a flood through a socket is counted, and the next m
     net::datagram_gate gate{config};
     defended_node node{config};
     const auto clock = [] { return net::now(); };
-    transport.set_filter([&](auto bytes, const auto& from) { return gate(bytes, from, clock()); });
+    transport.set_filter(
+        [&](auto bytes, const auto& from, auto framing) { return gate(bytes, from, clock(), framing); });
     transport.start(
         [&](auto bytes, const auto& from, auto framing) {
             node.take(bytes, clock(), [&](auto answer) { transport.post(answer, from, framing); });

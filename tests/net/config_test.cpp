@@ -209,7 +209,7 @@ TEST_CASE("a system's missing, unknown, repeated or invalid value is refused wit
         CHECK(with("b", "2.0.0.0", "10.0.0.2", port) ==
               "test.xml:3: port \"" + std::string{port} + "\" is not a UDP port, 1 to 65535");
     CHECK(with("b", "2.0.0.0", "10.0.0.2", "1", "<framing>JAUS02</framing>") ==
-          "test.xml:3: framing \"JAUS02\" is unknown; use bare or JAUS01.0");
+          "test.xml:3: framing \"JAUS02\" is unknown; use bare, JAUS01.0 or judp1");
     CHECK(with("b", "2.0.0.0", "10.0.0.2", "") == "test.xml:3: this <system> needs <port>");
     CHECK(with("", "2.0.0.0", "10.0.0.2", "1") == "test.xml:3: this <system> needs <name>");
     CHECK(with("b", "2.0.0.0", "10.0.0.2", "1", "\n<colour>red</colour>") ==

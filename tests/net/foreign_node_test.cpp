@@ -3,6 +3,7 @@
 #include "net/node_program.hpp"
 #include "support/pcap.hpp"
 #include <jauscat/jaus/events/service_connections.hpp>
+#include <jauscat/jaus/message/framing.hpp>
 
 using namespace net_test;
 
@@ -297,6 +298,87 @@ TEST_CASE("a foreign robot connects to the core reports of any component, and to
     REQUIRE(emergency);
     REQUIRE(numbers(emergency->body.begin() + 1, emergency->body.end()) ==
             numbers{0x02, 0x40, 0, 5, 0, 0, 0, 5, 0, 0, 0, 0});
+}
+
+namespace {
+
+/// A datagram of AS5669-2007 with these messages.
+std::vector<std::byte> judp1(std::initializer_list<raw_message> messages) {
+    std::vector<std::byte> all{std::byte{1}};
+    for (const auto& m : messages) {
+        const auto bytes = datagram_of(m, false);
+        for (const auto value : {std::size_t{0}, std::size_t{0}, bytes.size() >> 8, bytes.size() & 0xFF})
+            all.push_back(static_cast<std::byte>(value));
+        all.insert(all.end(), bytes.begin(), bytes.end());
+    }
+    return all;
+}
+/// The command code of a datagram of one message of AS5669-2007; 0: it is none.
+unsigned code_of_judp1(const std::vector<std::byte>& bytes) {
+    const auto part = jaus::remove_framing(bytes);
+    const auto m = jaus::split(part.message);
+    return part.how == jaus::framing::judp1 && part.rest.empty() && m ? m.header.command_code : 0;
+}
+const raw_message query_status{.code = 0x2002, .source = commander, .destination = driver};
+const raw_message query_authority{.code = 0x2001, .source = commander, .destination = driver};
+
+} // namespace
+
+TEST_CASE("a system of AS5669-2007 is answered in its form, also several messages of a datagram") {
+    boost::asio::io_context context;
+    foreign_node other{context};
+    const auto other_system = "<system name='other' jausip='7.0.0.0' ip='127.0.0.1' port='" +
+                              std::to_string(other.port()) + "' framing='judp1'/>";
+    robot r{context, other_system, net::access::closed};
+    other.send(r.port, judp1({query_status, query_authority}));
+    std::vector<unsigned> answers;
+    while (answers.size() != 2) {
+        const auto got = other.receive();
+        REQUIRE_FALSE(got.empty());
+        const auto code = code_of_judp1(got);
+        REQUIRE(code != 0);
+        if (code != 0x4202 && code != 0x2B01) answers.push_back(code);
+    }
+    CHECK(answers == std::vector<unsigned>{0x4002, 0x4001});
+    CHECK(r.node.counts().received == 2);
+    CHECK(r.log.empty());
+    // Bytes behind the last message are reported.
+    auto longer = judp1({query_status});
+    longer.push_back(std::byte{});
+    other.send(r.port, longer);
+    REQUIRE(support::until(context, [&] { return !r.log.empty(); }));
+    CHECK(r.log.back().find("its last 1 bytes are no message of AS5669-2007") != std::string::npos);
+}
+
+TEST_CASE("other forms are named in the log, with what is to be configured") {
+    boost::asio::io_context context;
+    foreign_node other{context};
+    robot r{context, system("other", "7.0.0.0", other.port()), net::access::closed};
+    other.send(r.port, judp1({query_status}));
+    REQUIRE(support::until(context, [&] { return !r.log.empty(); }));
+    CHECK(r.log.back().find("AS5669-2007") != std::string::npos);
+    CHECK(r.log.back().find("framing=\"judp1\"") != std::string::npos);
+    CHECK(r.node.counts().other_framing == 1);
+    r.log.clear();
+    auto sae = std::vector<std::byte>(19); // a whole message of AS5669A: 14 bytes around four
+    sae[0] = std::byte{2};
+    sae[2] = std::byte{18};
+    other.send(r.port, sae);
+    REQUIRE(support::until(context, [&] { return !r.log.empty(); }));
+    CHECK(r.log.back().find("it is SAE JAUS (AS5669A, version 2), which is not supported") != std::string::npos);
+}
+
+TEST_CASE("a stranger of AS5669-2007 is answered in its form by an open node") {
+    boost::asio::io_context context;
+    foreign_node other{context};
+    robot r{context};
+    other.send(r.port, judp1({query_status}));
+    for (unsigned code = 0; code != 0x4002;) {
+        const auto got = other.receive();
+        REQUIRE_FALSE(got.empty());
+        code = code_of_judp1(got);
+        REQUIRE(code != 0);
+    }
 }
 
 TEST_CASE("a foreign communicator is notified of changes by the event that it created") {

@@ -202,12 +202,13 @@ TEST_CASE("after a handler stops the transport, no other is called") {
 TEST_CASE("a filter is called first, and its refusals are counted without a report") {
     boost::asio::io_context context;
     station receiver{context};
-    receiver.transport.set_filter([](std::span<const std::byte> message, const udp::endpoint&) {
+    receiver.transport.set_filter([](std::span<const std::byte> message, const udp::endpoint&, jaus::framing) {
         if (message.empty()) return net::verdict::malformed;
         return static_cast<net::verdict>(std::to_integer<int>(message[0]) - '0');
     });
     udp::socket peer{context, any_port};
-    for (const std::string_view message : {"", "JAUS01.0", "JAUS01.04", "1", "2", "2", "3", "4", "4", "4", "0 taken"})
+    for (const std::string_view message :
+         {"", "JAUS01.0", "JAUS01.04", "1", "2", "2", "3", "4", "4", "4", "5", "0 taken"})
         peer.send_to(boost::asio::buffer(message), receiver.transport.local());
     REQUIRE(support::until(context, [&] { return !receiver.messages.empty(); }));
     const auto& counts = receiver.transport.counts();
@@ -217,6 +218,7 @@ TEST_CASE("a filter is called first, and its refusals are counted without a repo
     CHECK(counts.unknown_peer == 2);
     CHECK(counts.wrong_sender == 1);
     CHECK(counts.rate_limited == 4);
+    CHECK(counts.other_framing == 1);
     CHECK(counts.errors == 0);
     CHECK(receiver.errors.empty());
 }
@@ -338,7 +340,7 @@ TEST_CASE("a filter, a batch and its answers allocate nothing") {
     boost::asio::io_context context;
     udp_transport asking{context, any_port}, answering{context, any_port};
     std::size_t answered = 0;
-    answering.set_filter([](auto, const auto&) { return net::verdict::accepted; });
+    answering.set_filter([](auto, const auto&, auto) { return net::verdict::accepted; });
     answering.start([&](auto message, const auto& from, auto framing) { answering.post(message, from, framing); },
                     [](std::string_view) {});
     asking.start([&](auto, const auto&, auto) { ++answered; }, [](std::string_view) {});

@@ -271,7 +271,8 @@ TEST_CASE("ten thousand datagrams of random content and size are all counted") {
     std::mt19937 random{20240607};
     std::uniform_int_distribution<std::size_t> size{0, 600};
     std::uniform_int_distribution<int> value{0, 255};
-    const auto prefix = jaus::prefix(jaus::framing::jaus01);
+    const jaus::message_prefix mark{jaus::framing::jaus01, 0};
+    const auto prefix = mark.bytes();
     byte_vector content;
     for (std::uint64_t n = 1; n <= 10'000; ++n) {
         content.resize(size(random));

@@ -76,17 +76,28 @@ void dump::on_line(const std::string& line, std::size_t number) {
         message.error = fault{.error = read.error, .what = "line " + std::to_string(number) + ": " + read.what};
         return tell(message);
     }
-    const auto bytes = jaus::remove_framing(read.bytes).message;
-    message.bytes.assign(bytes.begin(), bytes.end());
-    take_apart(message, false);
+    if (const auto form = jaus::foreign_form(read.bytes); !form.empty())
+        return summary_.skip_foreign(std::string{form});
+    take_datagram(read.bytes, message, false);
 }
 
 void dump::on_datagram(std::span<const std::byte> payload, const origin& from) {
-    const auto [framing, bytes] = jaus::remove_framing(payload);
-    if (framing == jaus::framing::bare)
-        if (const auto reason = why_no_message(bytes); !reason.empty()) return on_skipped(reason);
-    record message{.origin = from, .bytes = {bytes.begin(), bytes.end()}};
-    take_apart(message, true);
+    if (const auto form = jaus::foreign_form(payload); !form.empty()) return summary_.skip_foreign(std::string{form});
+    if (jaus::remove_framing(payload).how == jaus::framing::bare)
+        if (const auto reason = why_no_message(payload); !reason.empty()) return on_skipped(reason);
+    take_datagram(payload, {.origin = from}, true);
+}
+
+void dump::take_datagram(std::span<const std::byte> datagram, const record& as, bool network) {
+    auto part = jaus::remove_framing(datagram);
+    for (;; part = jaus::next_message(part)) {
+        record message = as;
+        // Bytes behind the last message are shown as a broken one.
+        const auto bytes = part.message.empty() && !part.rest.empty() ? part.rest : part.message;
+        message.bytes.assign(bytes.begin(), bytes.end());
+        take_apart(message, network);
+        if (part.rest.empty() || part.message.empty()) return;
+    }
 }
 
 void dump::on_object(std::span<const std::byte> bytes, const origin& from) {

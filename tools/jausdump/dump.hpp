@@ -44,6 +44,8 @@ class dump {
     bool finish();
 
   private:
+    /// All messages of a datagram or of a line.
+    void take_datagram(std::span<const std::byte> datagram, const record& as, bool network);
     void take_apart(record& message, bool network);
     void decode(record& message, bool network);
     void add_packet_of_data_set(record& message);

@@ -183,7 +183,8 @@ void summary::add(const record& message) {
 }
 
 bool summary::something_did_not_decode() const {
-    return lost_ != 0 || lost_transfers_ != 0 || by_kind_.contains(kind::unknown) || by_kind_.contains(kind::broken);
+    return (by_kind_.empty() && !foreign_.empty()) || lost_ != 0 || lost_transfers_ != 0 ||
+           by_kind_.contains(kind::unknown) || by_kind_.contains(kind::broken);
 }
 
 std::string summary::text(const palette& colour) const {
@@ -212,6 +213,9 @@ std::string summary::text(const palette& colour) const {
     if (lost_transfers_ != 0) text += std::to_string(lost_transfers_) + " incomplete SDO transfers of messages\n";
     for (const auto& [reason, count] : refused_) text += std::to_string(count) + " refused: " + reason + "\n";
     for (const auto& [reason, count] : skipped_) text += std::to_string(count) + " skipped: " + reason + "\n";
+    for (const auto& [form, count] : foreign_)
+        text += (by_kind_.empty() ? "no message of RA 3.3: " : "") + std::to_string(count) +
+                (count == 1 ? " datagram is " : " datagrams are ") + form + "\n";
     return text;
 }
 
@@ -236,7 +240,8 @@ json summary::object() const {
             {"incomplete_large_data_sets", lost_},
             {"incomplete_transfers", lost_transfers_},
             {"refused", refused_},
-            {"skipped", skipped_}};
+            {"skipped", skipped_},
+            {"other_forms", foreign_}};
 }
 
 } // namespace jausdump

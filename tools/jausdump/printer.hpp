@@ -15,10 +15,14 @@ class summary {
   public:
     void add(const record& message);
     void skip(const std::string& reason) { ++skipped_[reason]; }
+    /// Messages of another form of JAUS.
+    void skip_foreign(const std::string& form) { ++foreign_[form]; }
     void lose_data_set() { ++lost_; }
     void lose_transfer() { ++lost_transfers_; }
-    [[nodiscard]] bool empty() const { return by_type_.empty() && refused_.empty() && skipped_.empty(); }
-    /// Whether a message was broken or unknown, or a data set or a transfer incomplete.
+    [[nodiscard]] bool empty() const {
+        return by_type_.empty() && refused_.empty() && skipped_.empty() && foreign_.empty();
+    }
+    /// Whether a message was broken or unknown, a data set or a transfer incomplete, or all messages of another form.
     [[nodiscard]] bool something_did_not_decode() const;
     [[nodiscard]] std::string text(const palette& colour) const;
     [[nodiscard]] json object() const;
@@ -31,6 +35,7 @@ class summary {
     std::map<kind, std::size_t> by_kind_{};
     std::map<std::string, std::size_t> refused_{}; ///< by message and reason
     std::map<std::string, std::size_t> skipped_{};
+    std::map<std::string, std::size_t> foreign_{}; ///< datagrams, by form
     std::size_t lost_{}, lost_transfers_{};
 };
 

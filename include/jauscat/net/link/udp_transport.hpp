@@ -31,7 +31,7 @@
 namespace jauscat::net {
 inline namespace JAUSCAT_WAY {
 
-/// Sends messages from one UDP port and receives them there, with or without the `JAUS01.0` prefix.
+/// Sends messages from one UDP port and receives them there, in any jaus::framing.
 /// Use it from the thread that runs the io_context.
 class udp_transport {
   public:
@@ -47,8 +47,9 @@ class udp_transport {
     /// message from that peer arrives or the reason changes.
     using error_handler = std::function<void(std::string_view text)>;
 
-    /// Called with each datagram's content, framing removed, before it is processed; it may be empty.
-    using filter = std::function<verdict(std::span<const std::byte> message, const endpoint& from)>;
+    /// Called with each message and its framing, which is removed, before it is processed; it may be empty.
+    using filter =
+        std::function<verdict(std::span<const std::byte> message, const endpoint& from, jaus::framing framing)>;
 
     /// Opens and binds the socket; port 0: selected by the system. Throws `open_error`. A socket bound to `::` also
     /// receives and sends IPv4; its endpoints are then those of IPv4.
@@ -110,6 +111,7 @@ class udp_transport {
     JAUSCAT_DECL error not_sent(const endpoint& to, int failed);
 
     JAUSCAT_DECL void received();
+    JAUSCAT_DECL void hand_on(const jaus::framed_message& part, const endpoint& from);
 
     JAUSCAT_DECL void receive_failed(int error);
 
@@ -126,7 +128,7 @@ class udp_transport {
 
     static constexpr int max_batches = 4;
     static constexpr std::size_t max_posted_size =
-        jaus::prefix(jaus::framing::jaus01).size() + jaus::header_size + jaus::max_body_size;
+        jaus::message_prefix::max_size + jaus::header_size + jaus::max_body_size;
 
     boost::asio::ip::udp::socket socket_;
     bool v6_;

@@ -19,8 +19,8 @@ namespace jauscat::net {
 /// places, by IP address. Only the constructor allocates.
 ///
 ///     datagram_gate gate{config};
-///     transport.set_filter([&](auto message, const auto& from) {
-///         return gate(message, from, net::now());
+///     transport.set_filter([&](auto message, const auto& from, auto framing) {
+///         return gate(message, from, net::now(), framing);
 ///     });
 class datagram_gate {
   public:
@@ -32,16 +32,20 @@ class datagram_gate {
     /// `seed`: a random number; see rate_limit.
     datagram_gate(const jaus_config& config, access how, std::uint64_t seed)
         : list_{config, how}, strangers_{system_limits{}.messages, seed} {
-        for (const auto& system : config.systems) peers_.push_back({system.limits.messages, {}});
+        for (const auto& system : config.systems)
+            peers_.push_back({system.limits.messages, {}, system.framing == jaus::framing::judp1});
     }
 
-    /// `message` is a datagram's content without the framing; it may be anything.
-    [[nodiscard]] verdict operator()(std::span<const std::byte> message, const endpoint& from,
-                                     time_point now) noexcept {
+    /// `message` is a datagram's content without the framing; it may be anything. A system of the configuration may
+    /// send bare messages and `JAUS01.0`, and judp1 where that is its framing; a stranger any.
+    [[nodiscard]] verdict operator()(std::span<const std::byte> message, const endpoint& from, time_point now,
+                                     jaus::framing framing = jaus::framing::bare) noexcept {
         jaus::header head;
         if (!wire::decode_prefix(head, message) || !jaus::names_one_component(head.source)) return verdict::malformed;
         const auto found = list_.check(head.source, from);
         if (found.what != verdict::accepted) return found.what;
+        if (framing == jaus::framing::judp1 && found.peer && !peers_[*found.peer].takes_judp1)
+            return verdict::other_framing;
         const bool within = found.peer ? peers_[*found.peer].bucket.take(peers_[*found.peer].limit, now)
                                        : strangers_.take(key_of(from.address()), now);
         return within ? verdict::accepted : verdict::rate_limited;
@@ -53,6 +57,7 @@ class datagram_gate {
     struct peer {
         rate limit{};
         token_bucket bucket{};
+        bool takes_judp1{};
     };
 
     static rate_key key_of(const boost::asio::ip::address& ip) noexcept {

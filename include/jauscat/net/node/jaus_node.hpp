@@ -104,7 +104,7 @@ class jaus_node {
         void operator()(bytes message) const { node.put(message); }
     };
 
-    verdict check(bytes message, const endpoint& from);
+    verdict check(bytes message, const endpoint& from, jaus::framing how);
     void received(bytes message, const endpoint& from, jaus::framing how, bool by_group, duration waited);
     JAUSCAT_DECL void put(bytes message);
     JAUSCAT_DECL void arm();

@@ -72,7 +72,7 @@ class node_machine {
     [[nodiscard]] JAUSCAT_DECL bool in_turn() const noexcept;
 
     /// The gate's decision on a datagram's content without the framing. Pass accepted messages to `received`.
-    JAUSCAT_DECL verdict check(bytes message, const endpoint& from, time_point now);
+    JAUSCAT_DECL verdict check(bytes message, const endpoint& from, jaus::framing how, time_point now);
     /// Processes a message that has passed `check`. `by_group`: it was sent to the multicast group. `waited`: time in
     /// the socket before this call, if known; it separates a packet of an old large data set from those of the next.
     JAUSCAT_DECL void received(bytes message, const endpoint& from, jaus::framing how, bool by_group, time_point now,

@@ -43,14 +43,25 @@ inline boost::asio::ip::address config_ip(const config_source& source, const con
     return address;
 }
 
+/// The position of the value among those that are `possible`; 0 for a value that is not given.
+inline std::size_t config_one_of(const config_source& source, const config_value& value,
+                                 std::initializer_list<std::string_view> possible) {
+    if (!value.given) return 0;
+    const auto found = std::ranges::find(possible, value.text);
+    if (found == possible.end()) {
+        std::string all;
+        for (const auto& one : possible)
+            all += (all.empty() ? "" : &one == possible.end() - 1 ? " or " : ", ") + std::string{one};
+        source.fail(config_errc::invalid_value, value,
+                    std::string{value.name} + ' ' + quoted(value.text) + " is unknown; use " + all);
+    }
+    return static_cast<std::size_t>(found - possible.begin());
+}
+
 /// True for `yes`, false for `no` and for a value that is not given.
 inline bool config_choice(const config_source& source, const config_value& value, std::string_view no,
                           std::string_view yes) {
-    if (value.given && value.text != no && value.text != yes)
-        source.fail(config_errc::invalid_value, value,
-                    std::string{value.name} + ' ' + quoted(value.text) + " is unknown; use " + std::string{no} +
-                        " or " + std::string{yes});
-    return value.given && value.text == yes;
+    return config_one_of(source, value, {no, yes}) == 1;
 }
 
 } // namespace jauscat::net::detail

@@ -59,12 +59,12 @@ class config_reader {
         source_.collect(node, values, {"multicast", "limits", "ethercat", "node", "component"}, "ip", &ips);
         if (!ips.empty()) ip = ips.front();
         source_.need(node, {name, jausip, ip, port});
+        constexpr std::array framings{jaus::framing::bare, jaus::framing::jaus01, jaus::framing::judp1};
         system_entry made{.name = unique_name(name),
                           .jausip = unique_jausip(jausip),
                           .ip = config_ip(source_, ip),
                           .port = port_of(port),
-                          .framing = config_choice(source_, framing, "bare", "JAUS01.0") ? jaus::framing::jaus01
-                                                                                         : jaus::framing::bare,
+                          .framing = framings[config_one_of(source_, framing, {"bare", "JAUS01.0", "judp1"})],
                           .line = source_.line_of(node)};
         for (const auto& more : std::span{ips}.subspan(1)) add_ip(made, more);
         made.any_source_port = config_choice(source_, source_port, "same", "any");

@@ -28,7 +28,8 @@ JAUSCAT_DECL void udp_transport::start(message_handler on_message, error_handler
 
 JAUSCAT_DECL result<void, error> udp_transport::send(std::span<const std::byte> message, const endpoint& to,
                                                      jaus::framing framing) {
-    const auto prefix = jaus::prefix(framing);
+    const jaus::message_prefix first{framing, message.size()};
+    const auto prefix = first.bytes();
     if (message.empty())
         return failure({.code = errc::empty_message, .reason = {}, .message = "an empty message is not sent"});
     if (prefix.size() + message.size() > max_datagram_size)
@@ -49,7 +50,8 @@ JAUSCAT_DECL result<void, error> udp_transport::send(std::span<const std::byte> 
 }
 
 JAUSCAT_DECL void udp_transport::post(std::span<const std::byte> message, const endpoint& to, jaus::framing framing) {
-    const auto prefix = jaus::prefix(framing);
+    const jaus::message_prefix first{framing, message.size()};
+    const auto prefix = first.bytes();
     if (!handing_on_ || message.empty() || prefix.size() + message.size() > max_posted_size) {
         if (const auto done = send(message, to, framing); !done) tell(done.error().message);
         return;
@@ -126,7 +128,7 @@ JAUSCAT_DECL error udp_transport::not_sent(const endpoint& to, int failed) {
 }
 
 JAUSCAT_DECL void udp_transport::received() {
-    const auto [framing, message] = jaus::remove_framing(batch_.bytes());
+    auto part = jaus::remove_framing(batch_.bytes());
     const auto from = detail::unmapped(batch_.from());
     const bool truncated = batch_.truncated();
     count_drops(batch_.dropped_before());
@@ -137,15 +139,28 @@ JAUSCAT_DECL void udp_transport::received() {
         if (!filter_)
             tell("a datagram from " + detail::text(from) + " is larger than " + std::to_string(max_datagram_size) +
                  " bytes and was dropped");
-    } else if (const auto decision = filter_ ? filter_(message, from) : verdict::accepted;
-               decision != verdict::accepted)
+        return;
+    }
+    hand_on(part, from);
+    while (!part.rest.empty() && socket_.is_open()) {
+        part = jaus::next_message(part);
+        if (part.message.empty())
+            return report("a datagram from " + detail::text(from) + ": its last " + std::to_string(part.rest.size()) +
+                          " bytes are no message of AS5669-2007 (judp1)");
+        hand_on(part, from);
+    }
+}
+
+JAUSCAT_DECL void udp_transport::hand_on(const jaus::framed_message& part, const endpoint& from) {
+    if (const auto decision = filter_ ? filter_(part.message, from, part.how) : verdict::accepted;
+        decision != verdict::accepted)
         counters_.count(decision);
-    else if (message.empty())
+    else if (part.message.empty())
         report("a datagram from " + detail::text(from) + " holds no message");
     else {
         ++counters_.received;
         if (!unreachable_.empty()) unreachable_.erase(from);
-        on_message_(message, from, framing);
+        on_message_(part.message, from, part.how);
     }
 }
 

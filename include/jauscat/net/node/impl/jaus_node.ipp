@@ -42,9 +42,10 @@ JAUSCAT_DECL void jaus_node::start() {
         machine_.stop();
         throw;
     }
-    parts_->socket->start([this](bytes message, const endpoint& from) { return check(message, from); },
-                          [this](bytes message, const auto&... from) { received(message, from...); },
-                          [this](std::string_view problem) { machine_.log(problem, now()); });
+    parts_->socket->start(
+        [this](bytes message, const endpoint& from, jaus::framing how) { return check(message, from, how); },
+        [this](bytes message, const auto&... from) { received(message, from...); },
+        [this](std::string_view problem) { machine_.log(problem, now()); });
     arm();
 }
 JAUSCAT_DECL void jaus_node::stop() {
@@ -76,10 +77,10 @@ JAUSCAT_DECL udp_counters jaus_node::counts() const noexcept {
     return parts_->socket ? parts_->socket->counts() : udp_counters{};
 }
 
-inline verdict jaus_node::check(bytes message, const endpoint& from) {
+inline verdict jaus_node::check(bytes message, const endpoint& from, jaus::framing how) {
     if (parts_->socket->is_own(from)) return verdict::accepted; // the echo of a multicast; ends in received()
     received_at_ = now();
-    return machine_.check(message, from, received_at_);
+    return machine_.check(message, from, how, received_at_);
 }
 inline void jaus_node::received(bytes message, const endpoint& from, jaus::framing how, bool by_group,
                                 duration waited) {

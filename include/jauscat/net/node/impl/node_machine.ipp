@@ -96,13 +96,17 @@ JAUSCAT_DECL void node_machine::stop() {
 JAUSCAT_DECL bool node_machine::in_turn() const noexcept { return parts_->core.in_turn(); }
 inline bool node_machine::has_manager() const noexcept { return detail::covers(config_.me().jausip, self_); }
 
-JAUSCAT_DECL verdict node_machine::check(bytes message, const endpoint& from, time_point now) {
+JAUSCAT_DECL verdict node_machine::check(bytes message, const endpoint& from, jaus::framing how, time_point now) {
     at_ = now;
-    const auto what = (*parts_->gate)(message, from, now);
+    const auto what = (*parts_->gate)(message, from, now, how);
     if (what != verdict::accepted)
         parts_->log(now, [&] {
-            return "a datagram from " + detail::text(from) + " is refused: " + std::string{describe(what)} +
-                   (what == verdict::malformed ? ": " + std::string{describe(jaus::split(message).error)} : "");
+            const auto foreign = jaus::foreign_form(message);
+            const auto why = !foreign.empty()             ? "it is " + std::string{foreign}
+                             : what != verdict::malformed ? std::string{describe(what)}
+                                                          : std::string{describe(what)} + ": " +
+                                                                std::string{describe(jaus::split(message).error)};
+            return "a datagram from " + detail::text(from) + " is refused: " + why;
         });
     return what;
 }
@@ -114,7 +118,9 @@ JAUSCAT_DECL void node_machine::received(bytes message, const endpoint& from, ja
     const auto m = jaus::split(message);
     if (!m)
         return parts_->log(now, [&] {
-            return "a datagram from " + detail::text(from) + " is dropped: " + std::string{describe(m.error)};
+            const auto foreign = jaus::foreign_form(message);
+            return "a datagram from " + detail::text(from) + " is dropped: " +
+                   (foreign.empty() ? std::string{describe(m.error)} : "it is " + std::string{foreign});
         });
     const auto origin = parts_->core.routes().origin(m.header.source, from, how, by_group, parts_->gate->list(), now);
     const auto what = parts_->core.received(message, m, origin, {now, waited}, parts_->own_out);
@@ -128,7 +134,7 @@ JAUSCAT_DECL void node_machine::received(bytes message, const endpoint& from, ja
 JAUSCAT_DECL verdict node_machine::on_datagram(bytes message, const endpoint& from, jaus::framing how, bool by_group,
                                                time_point now, duration waited) {
     if (!running()) return verdict::accepted;
-    const auto what = check(message, from, now);
+    const auto what = check(message, from, how, now);
     if (what == verdict::accepted) received(message, from, how, by_group, now, waited);
     return what;
 }
