@@ -55,7 +55,9 @@ void command_into(std::span<const std::byte> body, const byte_vector& before) {
     check_elements(body, before, after);
     byte_vector back(wire::max_size<jaus::set_wrench_effort>);
     const auto restored = command::from_image(after, back);
-    check(restored && std::ranges::equal(*restored, body), "the body comes back byte for byte");
+    byte_vector known = copy_of(body);
+    known[1] &= std::byte{0x0F}; // the presence bits without a field are ignored
+    check(restored && std::ranges::equal(*restored, known), "the body comes back byte for byte");
 
     byte_vector merged = before;
     const auto old_bits = values_of(before).presence_vector;
