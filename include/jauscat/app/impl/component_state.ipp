@@ -110,12 +110,12 @@ inline const std::vector<given_report>& component_state::core::given_core_report
 inline jaus::message_outcome component_state::core::write_core(const jaus::core_report& report,
                                                                const report_request& request,
                                                                std::vector<std::byte>& body) {
-    const std::array vector{static_cast<std::byte>(request.presence_bits)};
-    bytes query = request.query != nullptr ? *request.query : bytes{};
-    if (request.query == nullptr && report.has_fields()) query = vector;
     body.resize(jaus::max_body_size);
-    const auto size = jaus::write_core_report(report, machine.self(), query, body, net::now(),
-                                              jaus::bound<&component_type::answer_query>(machine));
+    const jaus::query_answer answer{jaus::bound<&component_type::answer_query>(machine)};
+    const auto& self = machine.self();
+    const auto size = request.query != nullptr
+                          ? jaus::write_core_report(report, self, *request.query, body, net::now(), answer)
+                          : jaus::write_core_report(report, self, request.presence_bits, body, net::now(), answer);
     body.resize(size.value_or(0));
     return size ? jaus::message_outcome::handled : jaus::message_outcome::refused;
 }

@@ -140,14 +140,7 @@ template <class... Parts> class component {
     /// connections to core_reports and events of them.
     constexpr message_outcome answer_query(const header& query, std::span<const std::byte> body, time_point now,
                                            message_sink out) {
-        message_outcome outcome = state_.on_message(query, body, now, out);
-        const auto ask = [&](auto& next) {
-            if (outcome == message_outcome::unhandled) outcome = next.on_message(query, body, now, out);
-        };
-        ask(control_);
-        ask(clock_);
-        each_part(ask);
-        return outcome;
+        return ask_behind_state(state_.on_message(query, body, now, out), query, body, now, out);
     }
 
     /// Collects from the parts that have such a function the messages that they handle and send.
@@ -217,17 +210,23 @@ template <class... Parts> class component {
         what = why;
         return message_outcome::refused;
     }
-    // Sets `what` to the detailed outcome.
-    constexpr message_outcome decide(const header& head, std::span<const std::byte> body, time_point now,
-                                     message_sink out, auto& application, component_outcome& what) {
-        message_outcome outcome = state_.on_message(head, body, now, out);
-        if (outcome == message_outcome::handled && is_state_command(head.command_code)) outcome = tell_command(head);
+    // What the state has left goes to control, clock and the parts, until one handles it.
+    constexpr message_outcome ask_behind_state(message_outcome outcome, const header& head,
+                                               std::span<const std::byte> body, time_point now, message_sink out) {
         const auto ask = [&](auto& next) {
             if (outcome == message_outcome::unhandled) outcome = next.on_message(head, body, now, out);
         };
         ask(control_);
         ask(clock_);
         each_part(ask);
+        return outcome;
+    }
+    // Sets `what` to the detailed outcome.
+    constexpr message_outcome decide(const header& head, std::span<const std::byte> body, time_point now,
+                                     message_sink out, auto& application, component_outcome& what) {
+        message_outcome outcome = state_.on_message(head, body, now, out);
+        if (outcome == message_outcome::handled && is_state_command(head.command_code)) outcome = tell_command(head);
+        outcome = ask_behind_state(outcome, head, body, now, out);
         if (outcome == message_outcome::unhandled && control_.takes_pulse(head)) outcome = message_outcome::handled;
         if (outcome == message_outcome::unhandled) outcome = outcome_of(application(head, body));
         switch (outcome) {

@@ -90,4 +90,14 @@ using query_answer =
     return size;
 }
 
+/// The same with the fields of a presence vector, as a service connection asks for them.
+[[nodiscard]] constexpr std::optional<std::size_t> write_core_report(const core_report& report, const address& self,
+                                                                     std::uint32_t presence_vector,
+                                                                     std::span<std::byte> body, time_point now,
+                                                                     query_answer answer) noexcept {
+    const std::array query{static_cast<std::byte>(presence_vector)};
+    return write_core_report(report, self, report.has_fields() ? std::span<const std::byte>{query} : wire::blob{}, body,
+                             now, answer);
+}
+
 } // namespace jauscat::jaus

@@ -93,9 +93,7 @@ class core_subscriptions {
     std::optional<std::size_t> operator()(std::uint16_t code, std::uint32_t presence, std::span<std::byte> body) const {
         const auto* const report = jaus::core_report_of(code);
         if (report == nullptr) return std::nullopt;
-        const std::array vector{static_cast<std::byte>(presence)};
-        return jaus::write_core_report(*report, self_, report->has_fields() ? bytes{vector} : bytes{}, body, now_,
-                                       answer_);
+        return jaus::write_core_report(*report, self_, presence, body, now_, answer_);
     }
     std::optional<std::size_t> operator()(std::uint16_t code, bytes query, std::span<std::byte> body) const {
         const auto* const report = jaus::core_report_of(code);
