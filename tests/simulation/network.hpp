@@ -73,7 +73,7 @@ class network final : public actor {
     [[nodiscard]] time pulse_heard(std::uint8_t from, std::uint8_t to) const noexcept {
         return pulse_[from * users_.size() + to];
     }
-    /// The same for any message of a component other than the node manager.
+    /// The same for any message of a component other than the node manager, but for queries of a heartbeat.
     [[nodiscard]] time component_heard(std::uint8_t from, std::uint8_t to) const noexcept {
         return component_[from * users_.size() + to];
     }
@@ -90,7 +90,7 @@ class network final : public actor {
     enum : std::uint8_t { delivery, to_part, to_join };
     static constexpr time mean_to_part = std::chrono::seconds{2};
 
-    static constexpr std::uint16_t pulse_code = 0x4202;
+    static constexpr std::uint16_t pulse_code = 0x4202, pulse_query = 0x2202;
 
     [[nodiscard]] static std::uint16_t word(std::span<const std::byte> message, std::size_t at) noexcept {
         if (message.size() < at + 2) return 0;
@@ -105,8 +105,9 @@ class network final : public actor {
         const auto component = std::to_integer<unsigned>(message[5]);
         return component == 1 || component == 255;
     }
+    // A node asks for heartbeats in the name of a component that may hang.
     [[nodiscard]] static bool is_of_component(std::span<const std::byte> message) noexcept {
-        return message.size() > 9 && std::to_integer<unsigned>(message[9]) != 1;
+        return message.size() > 9 && std::to_integer<unsigned>(message[9]) != 1 && code_of(message) != pulse_query;
     }
 
     struct cut_state {
