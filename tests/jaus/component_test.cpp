@@ -297,6 +297,38 @@ TEST_CASE("a late confirmation of an abandoned request is answered with a releas
     REQUIRE(hear(jaus::report_component_authority{}, arm_address) == message_outcome::unhandled);
 }
 
+TEST_CASE("what is marked as experimental is not the standard's message of its code") {
+    arm a;
+    a.put_under_control_of(ocu_address);
+    const auto hear = [&](std::uint16_t code, std::span<const std::byte> body, bool experimental, ack_nak wish) {
+        return a.hear({.ack_nak = wish,
+                       .experimental = experimental,
+                       .command_code = code,
+                       .destination = arm_address,
+                       .source = ocu_address,
+                       .data_size = static_cast<std::uint16_t>(body.size()),
+                       .sequence_number = 7},
+                      body, 0s, a.sent.sink());
+    };
+    const auto body = from_hex("0100 ff7f");
+    CHECK(hear(0x0405, body, true, ack_nak::request) == component_outcome::experimental);
+    REQUIRE(a.sent.size() == 1);
+    CHECK(a.sent.header(0).ack_nak == ack_nak::nak);
+    CHECK(a.efforts.empty());
+    CHECK(hear(0x0003, {}, true, ack_nak::none) == component_outcome::experimental);
+    CHECK(a.core.state() == primary_status_code::ready);
+    CHECK(hear(0x2002, {}, true, ack_nak::none) == component_outcome::experimental);
+    CHECK(a.sent.size() == 1);
+    // Private ones reach their handlers, whether they are marked or not.
+    CHECK(hear(0xD001, {}, true, ack_nak::none) == handled);
+    CHECK(hear(0xD001, {}, false, ack_nak::none) == handled);
+    CHECK(a.part.heard == 2);
+    // Set Velocity State is no message of the standard; no handler has it here, nor a code that is nobody's.
+    CHECK(hear(0x0404, {}, true, ack_nak::none) == unknown);
+    CHECK(hear(0x4415, {}, true, ack_nak::none) == unknown);
+    CHECK(hear(0x0405, body, false, ack_nak::none) == handled);
+}
+
 TEST_CASE("any sender can stop a controlled arm, and only that sender, not the controller, can clear the emergency") {
     arm a;
     a.put_under_control_of(ocu_address);

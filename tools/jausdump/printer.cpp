@@ -122,6 +122,8 @@ std::string to_text(const record& message, const palette& colour, bool with_byte
     if (message.refusal)
         text += indent + colour.bad + (message.refusal->by == "master" ? "aborted by the master: " : "refused: ") +
                 reason_of(*message.refusal) + colour.end + "\n";
+    if (message.head && message.head->experimental && jaus::is_standard(message.head->command_code))
+        text += indent + "experimental: the header says that it is not the standard's message of this code\n";
     if (message.ignored_bits != 0)
         text += indent + "presence bits without a field, ignored: " + text::hex_number(message.ignored_bits, 1) + "\n";
     if (message.dropped != 0)

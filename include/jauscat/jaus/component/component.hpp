@@ -16,7 +16,8 @@
 namespace jauscat::jaus {
 
 /// The core of the component `self`. A message goes through it in this order: an acknowledgement ends here; a repeat is
-/// acknowledged again and ends; a command from a sender without control is refused, and one that moves something unless
+/// acknowledged again and ends; what the header marks as experimental is refused if its code is the standard's, because
+/// it is another message; a command from a sender without control is refused, and one that moves something unless
 /// the state is Ready (see command_rules); then state, control, clock, the parts and the application get it in turn
 /// until one handles it. ACK or NAK follow.
 ///
@@ -197,6 +198,7 @@ template <class... Parts> class component {
         return what;
     }
     [[nodiscard]] constexpr std::optional<component_outcome> refused_by_rule(const header& head) const noexcept {
+        if (head.experimental && is_standard(head.command_code)) return component_outcome::experimental;
         const bool clears_own = head.command_code == command_code_of<clear_emergency> &&
                                 state_.holds_emergency(head.source) && !control_.controls(head.source);
         if (!clears_own && !control_.would_admit(head)) return component_outcome::not_controller;

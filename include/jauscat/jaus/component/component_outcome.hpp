@@ -21,9 +21,10 @@ enum class component_outcome : std::uint8_t {
     pending,         ///< a repeat of a message that is being executed: dropped, its sender is answered at the end
     no_capacity,     ///< requests acknowledgement, and cannot be remembered: dropped, its sender will retry
     acknowledgement, ///< the ACK or NAK that one of the component's own messages waited for
+    experimental,    ///< marked as experimental, with a code of the standard: not the standard's message, and refused
     unmatched_acknowledgement, ///< an ACK or NAK that no message waits for: late, or strange
 };
-inline constexpr std::size_t component_outcome_count = 13;
+inline constexpr std::size_t component_outcome_count = 14;
 
 /// The outcome in one line, for logs.
 [[nodiscard]] constexpr std::string_view describe(component_outcome what) noexcept {
@@ -40,6 +41,7 @@ inline constexpr std::size_t component_outcome_count = 13;
         "repeated while it is executed: dropped",
         "dropped: no place left to remember what was acknowledged (option remembered)",
         "acknowledgement of an own message",
+        "refused: experimental: the header says that it is not the standard's message of this code",
         "acknowledgement that no message waits for"};
     const auto place = static_cast<std::size_t>(what);
     return place < lines.size() ? lines[place] : "unknown";

@@ -1,11 +1,13 @@
 // Joins header and body to a message, and splits a message.
 #pragma once
+#include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/schema/jaus/command_code.hpp>
 #include <jauscat/schema/jaus/header.hpp>
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/encode.hpp>
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 
 namespace jauscat::jaus {
@@ -159,6 +161,18 @@ constexpr result<std::span<std::byte>, errc> make_message(const header&, const T
 
 /// Whether RA 3.3 leaves the code to private messages, D000h to FFFFh: their header says that they are experimental.
 [[nodiscard]] constexpr bool is_private(std::uint16_t command_code) noexcept { return command_code >= 0xD000; }
+namespace detail {
+// Without the names, and without 0404h, which is last.
+inline constexpr auto standard_codes = [] {
+    std::array<std::uint16_t, catalog.size() - 1> codes{};
+    std::ranges::transform(catalog.begin(), catalog.end() - 1, codes.begin(), &catalog_entry::command_code);
+    return codes;
+}();
+} // namespace detail
+/// Whether RA 3.3 has a message of this code. It has not Set Velocity State (0404h) of known peers.
+[[nodiscard]] constexpr bool is_standard(std::uint16_t command_code) noexcept {
+    return std::ranges::binary_search(detail::standard_codes, command_code);
+}
 
 /// The command code of the report that answers a query, 2000h above the query's; 0 for what is no query. RA 3.3 part 3.
 [[nodiscard]] constexpr std::uint16_t report_code_of(std::uint16_t command_code) noexcept {
