@@ -179,3 +179,21 @@ TEST_CASE("a packet of a large data set that waited for long does not become par
     arrives(last, 1, std::byte{3}, 100ms);
     REQUIRE(p.robot.large == std::vector<bytes>{bytes(4, std::byte{3})});
 }
+
+TEST_CASE("a large data set that is not numbered from 0 is dropped, with the reason in the log") {
+    simulated_pair p;
+    jaus::header head{
+        .service_connection = true, .command_code = 0x4805, .destination = p.robot.self, .source = p.ocu.self};
+    const auto arrives = [&](jaus::data_flag flag, std::uint16_t number) {
+        head.data_flag = flag;
+        head.sequence_number = number;
+        std::array<std::byte, 64> packet{};
+        const auto made = jaus::join(head, std::array{std::byte{1}, std::byte{2}}, packet);
+        REQUIRE(p.robot.node.on_datagram(*made, p.ocu.at, {}, false, p.network.now, {}) == net::verdict::accepted);
+    };
+    arrives(jaus::data_flag::first, 17);
+    arrives(jaus::data_flag::last, 18);
+    p.network.run(p.network.now + 10s, [&] { return p.robot.logged("is dropped after 2 packets"); });
+    CHECK(p.robot.logged("its packet 0 has not come, the first was 17; a set is numbered from 0"));
+    CHECK(p.robot.large.empty());
+}

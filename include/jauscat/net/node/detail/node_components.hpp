@@ -95,8 +95,13 @@ class node_components {
     [[nodiscard]] auto report_lost(time_point now, const jaus::address& self) {
         return [this, now, &self](const jaus::partial_data_set& set) {
             log_(now, [&] {
+                const auto first = std::to_string(set.header.sequence_number);
                 return in_text(set.header) + ": at " + to_jausip(self) + ": a large data set is dropped after " +
-                       std::to_string(set.packets) + " packets";
+                       std::to_string(set.packets) + " packets: " +
+                       (!set.begun ? "its packet 0 has not come, the first was " + first +
+                                         "; a set is numbered from 0, also in a service connection"
+                        : set.last ? std::to_string(*set.last + std::size_t{1} - set.packets) + " of it have not come"
+                                   : std::string{"its last packet has not come, or another set follows"});
             });
         };
     }

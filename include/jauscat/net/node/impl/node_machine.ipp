@@ -145,7 +145,14 @@ JAUSCAT_DECL void node_machine::on_time(time_point now) {
     wake_at_.reset();
     const auto work = [&] {
         parts_->core.components.on_time(now, parts_->own_out);
-        if (running()) parts_->core.large.on_time(now, parts_->own_out, options_.large_data_done);
+        const auto done = [&](const jaus::header& head, jaus::delivered what) {
+            if (what != jaus::delivered::acknowledged)
+                parts_->log(now, [&] {
+                    return detail::in_text(head) + ": a large data set is given up: " + std::string{describe(what)};
+                });
+            if (options_.large_data_done) options_.large_data_done(head, what);
+        };
+        if (running()) parts_->core.large.on_time(now, parts_->own_out, done);
     };
     parts_->core.turn(now, parts_->own_out, work);
     end_turn();
