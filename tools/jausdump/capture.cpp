@@ -1,11 +1,14 @@
 #include "capture.hpp"
 
+#include "ip_fragments.hpp"
 #include "ip_headers.hpp"
 #include <jauscat/wire/decode.hpp>
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <pcap/pcap.h>
+#include <vector>
 
 namespace jausdump {
 
@@ -97,39 +100,48 @@ std::string endpoint(const std::array<std::byte, 4>& ip, std::uint16_t port) {
 struct udp_datagram {
     bool ethercat{}; ///< by its port
     bytes payload{};
+    std::vector<std::byte> of_fragments{}; ///< what `payload` is in, where it came in several packets
 };
 
-/// The UDP datagram of an IPv4 packet; fills in the ends of `from`.
-udp_datagram udp_datagram_of(bytes packet, origin& from) {
+/// The UDP datagram of an IPv4 packet, or the one that this fragment completes; fills in the ends of `from`.
+std::optional<udp_datagram> udp_datagram_of(bytes packet, origin& from, ip_fragments& fragments) {
     const bytes whole = packet;
     const auto ip = take<ipv4_header>(packet, "IPv4");
     const std::size_t header_size = std::size_t{ip.words} * 4;
     if (ip.version != 4) throw useless{"not IPv4: IP version " + std::to_string(ip.version)};
     if (header_size < wire::min_size<ipv4_header> || header_size > ip.total_size) throw useless{"broken IPv4 header"};
-    if (ip.more_fragments || ip.fragment_offset != 0) throw useless{"IPv4 fragment"};
     if (ip.protocol != protocol_udp) throw useless{"not UDP: IP protocol " + std::to_string(ip.protocol)};
     if (ip.total_size > whole.size()) throw useless{"not captured to its end"};
 
+    udp_datagram made{};
     bytes datagram = whole.subspan(header_size, ip.total_size - header_size);
+    if (ip.more_fragments || ip.fragment_offset != 0) {
+        auto complete = fragments.add(ip, datagram);
+        if (!complete) return std::nullopt;
+        made.of_fragments = *std::move(complete);
+        datagram = made.of_fragments;
+    }
     const auto udp = take<udp_header>(datagram, "UDP");
     if (udp.size < wire::min_size<udp_header> || udp.size - wire::min_size < udp_header >> datagram.size())
         throw useless{"broken UDP header"};
     from.from = endpoint(ip.source, udp.source_port);
     from.to = endpoint(ip.destination, udp.destination_port);
-    return {.ethercat = udp.source_port == ethercat_port || udp.destination_port == ethercat_port,
-            .payload = datagram.first(udp.size - wire::min_size<udp_header>)};
+    made.ethercat = udp.source_port == ethercat_port || udp.destination_port == ethercat_port;
+    made.payload = datagram.first(udp.size - wire::min_size<udp_header>);
+    return made;
 }
 
-void hand_over(const packet& found, origin& from, const capture_listener& listener) {
+void hand_over(const packet& found, origin& from, const capture_listener& listener, ip_fragments& fragments) {
     if (found.ether_type == jauscat::ethercat::ether_type_ethercat) {
         if (!listener.ethercat) throw useless{"EtherCAT: --ethercat shows the JAUS messages in it"};
         return listener.ethercat(found.data, from);
     }
     if (found.ether_type != ether_type_ipv4)
         throw useless{"not IPv4: EtherType " + text::hex_number(found.ether_type, 4)};
-    const auto datagram = udp_datagram_of(found.data, from);
-    const bool ethercat = datagram.ethercat && listener.ethercat;
-    (ethercat ? listener.ethercat : listener.datagram)(datagram.payload, from);
+    const auto datagram = udp_datagram_of(found.data, from, fragments);
+    if (!datagram) return;
+    const bool ethercat = datagram->ethercat && listener.ethercat;
+    (ethercat ? listener.ethercat : listener.datagram)(datagram->payload, from);
 }
 
 std::chrono::nanoseconds time_of(const timeval& when) {
@@ -155,19 +167,24 @@ void read_capture(const std::string& path, const capture_listener& listener) {
                           " is not supported: Ethernet, Linux cooked, raw IP and loopback are"};
     }
 
+    ip_fragments fragments;
+    const auto tell_left_over = [&] {
+        for (std::size_t i = fragments.left_over(); i != 0; --i)
+            listener.skipped("IPv4 fragment of a packet that is not complete");
+    };
     origin from{.place = "packet"};
     for (;;) {
         pcap_pkthdr* head = nullptr;
         const unsigned char* data = nullptr;
         const int got = pcap_next_ex(file.get(), &head, &data);
-        if (got == PCAP_ERROR_BREAK || listener.stop()) return;
+        if (got == PCAP_ERROR_BREAK || listener.stop()) return tell_left_over();
         if (got != 1)
             throw input_error{path + ": after packet " + std::to_string(from.number) + ": " + pcap_geterr(file.get())};
         ++from.number;
         from.time = time_of(head->ts);
         try {
             const bytes frame = std::as_bytes(std::span{data, head->caplen});
-            hand_over(packet_of(link_type, frame), from, listener);
+            hand_over(packet_of(link_type, frame), from, listener, fragments);
         } catch (const useless& frame) {
             listener.skipped(frame.reason);
         }

@@ -27,9 +27,23 @@ fault fault_of(const wire::diagnosis& why, std::size_t first_offset) {
             .what = text::to_text(why, first_offset)};
 }
 
+/// Discovery of OpenJAUS 3.2: private codes, from before RA 3.3 had messages for it.
+constexpr std::array openjaus_3_2{jaus::catalog_entry{0xD2A4, "Query Identification (OpenJAUS 3.2)"},
+                                  jaus::catalog_entry{0xD2A6, "Query Configuration (OpenJAUS 3.2)"},
+                                  jaus::catalog_entry{0xD2A7, "Query Services (OpenJAUS 3.2)"},
+                                  jaus::catalog_entry{0xD4A5, "Report Identification (OpenJAUS 3.2)"},
+                                  jaus::catalog_entry{0xD4A6, "Report Configuration (OpenJAUS 3.2)"},
+                                  jaus::catalog_entry{0xD4A7, "Report Services (OpenJAUS 3.2)"},
+                                  jaus::catalog_entry{0xD6A8, "Configuration Changed Setup (OpenJAUS 3.2)"},
+                                  jaus::catalog_entry{0xD8A8, "Configuration Changed (OpenJAUS 3.2)"}};
+
 std::string name_of(std::uint16_t command_code) {
-    const auto found = std::ranges::find(jaus::catalog, command_code, &jaus::catalog_entry::command_code);
-    return found != jaus::catalog.end() ? std::string{found->name} : "unknown";
+    for (const auto& names :
+         {std::span<const jaus::catalog_entry>{jaus::catalog}, std::span<const jaus::catalog_entry>{openjaus_3_2}})
+        if (const auto found = std::ranges::find(names, command_code, &jaus::catalog_entry::command_code);
+            found != names.end())
+            return std::string{found->name};
+    return "unknown";
 }
 
 /// Why a datagram without the prefix is no JAUS message; empty where it may be one. What only has a wrong size is one,
