@@ -1,42 +1,16 @@
-// A message of one's own over EtherCAT: written are the message, its layout, its place in the list of codes, and what a
-// slave does with it. Translation and delivery know nothing of it.
+// A message of one's own over EtherCAT: written are the message and its layout (gripper_messages.hpp), its place in the
+// list of codes, and what a slave does with it. Translation and delivery know nothing of it.
+#include "gripper_messages.hpp"
 #include <jauscat/bridge/packet_exchange.hpp>
 #include <jauscat/ethercat/hilscher/packet_job.hpp>
 #include <jauscat/ethercat/slave/loopback_link.hpp>
 #include <jauscat/jaus/component/dispatcher.hpp>
 #include <jauscat/net/link/run_master.hpp>
-#include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/text/jaus.hpp>
 #include <jauscat/text/packet_status_text.hpp>
 
 #include <iostream>
-#include <optional>
-
-namespace gripper {
-
-namespace jaus = jauscat::jaus;
-struct opening_range {
-    static constexpr double min = 0, max = 200;
-    static constexpr std::string_view unit = "mm";
-};
-
-/// Set Gripper: opens or closes the gripper. Code D101h, in the range that RA 3.3 leaves to experimental messages.
-struct set_gripper {
-    std::uint8_t finger{};           ///< 1 is the first; 0 moves all of them
-    std::optional<double> opening{}; ///< millimetres, 0 to 200
-    std::optional<double> force{};   ///< percent of the most, 0 to 100
-    friend constexpr bool operator==(const set_gripper&, const set_gripper&) = default;
-
-    struct schema : jauscat::wire::items {
-        static constexpr std::uint16_t command_code = 0xD101;
-        using T = set_gripper;
-        using type = layout<field<&T::finger, u8>, presence<u8, field<&T::opening, scaled<u16le, opening_range>>,
-                                                            field<&T::force, scaled<u8, jaus::percent>>>>;
-    };
-};
-
-} // namespace gripper
 
 namespace {
 
@@ -45,7 +19,6 @@ using namespace jauscat;
 /// The codes of RA 3.3 keep their ranks; Set Gripper is appended and has rank 159.
 constexpr auto command_codes = translation::ra_command_codes_and<jaus::command_code_of<gripper::set_gripper>>;
 using table = translation::self_contained_table_of<translation::manufacturer_index_base, command_codes>::type;
-using messages = jaus::message_list<gripper::set_gripper>;
 
 /// The slave's application: data written to its objects become a message again.
 class gripper_slave {
@@ -101,7 +74,7 @@ int main() {
                                           .sequence_number = 7},
                                          command, message);
     if (!made) return failed(describe(made.error()));
-    std::cout << "Set Gripper\n" << text::annotate_message(*made, messages{});
+    std::cout << "Set Gripper\n" << text::annotate_message(*made, private_messages{});
 
     // Forth: an SDO download of the subobject of its rank. Back: the same message.
     using exchange_type = bridging::packet_exchange<table>;

@@ -1,8 +1,8 @@
 // The operator control unit: takes control of a robot arm over JAUS, commands a wrench effort, queries it and compares;
-// or sends any other message of the standard.
+// or sends any other message.
 #include "operator_unit.hpp"
+#include "support/known_messages.hpp"
 #include "support/node_options.hpp"
-#include <jauscat/catalogue/ra_3_3.hpp>
 #include <jauscat/jaus/component/command_rules.hpp>
 #include <jauscat/jaus/message/requested_fields.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
@@ -36,7 +36,9 @@ Examples:
 
 If a controlled component accepts the command from its controller only, the program takes control of the arm first, and
 releases it at the end, also after Ctrl-C. Queries, reports, Set and Clear Emergency need no control.
-Without --send the fields are those of Set Wrench Effort. --send accepts every message of the standard by its name.
+Without --send the fields are those of Set Wrench Effort. --send accepts every message of the standard by its name, any
+other by its code with its body in hex (--send D101 hex=0a14), and by name the private ones that are compiled in
+(cmake option JAUSCAT_PRIVATE_MESSAGES=HEADER, docs/catalogue.md).
 The report shows whether a peer that does not acknowledge has executed the command. --unacknowledged requests no
 acknowledgement.
 Exit code: 0 if the report equals the command, or the message of --send was answered as expected; 1 if not, if there is
@@ -45,13 +47,9 @@ no answer, or if control is refused or lost before the end; 2 for a wrong comman
 
 /// The order to send the message `name` with the fields that the command line names.
 order order_from(const std::string& name, const words& assignments) {
-    const auto type = jauscat::catalogue::ra_3_3().find(name);
-    if (!type) throw example::usage_error{type.error().message};
-    const auto message = (*type)->from_words(assignments);
+    auto message = example::read_message(name, assignments);
     if (!message) throw example::usage_error{message.error().message};
-    auto body = message->encode();
-    if (!body) throw example::usage_error{std::string{wire::describe(body.error())}};
-    return {(*type)->command_code(), *std::move(body)};
+    return {message->command_code, std::move(message->body)};
 }
 
 order random_command(std::uint32_t seed) {
@@ -146,6 +144,7 @@ int main(int argc, char** argv) {
             ("attempts", po::value<unsigned>()->default_value(4), "how often a message is sent in all until it is answered")
             ("field", po::value<words>(), "FIELD=VALUE; --field itself may be omitted");
         // clang-format on
+        example::add_type_option(options);
         example::add_log_option(options);
         po::positional_options_description positional;
         positional.add("field", -1);
@@ -184,7 +183,8 @@ int main(int argc, char** argv) {
         what.compare = !query_only && !send;
         what.control = !values["no-control"].as<bool>() && needs_control(what.first.command_code);
 
-        operator_unit unit{example::load_config(values), robot, retry, !values["unacknowledged"].as<bool>()};
+        operator_unit unit{example::load_config(values), robot, retry, !values["unacknowledged"].as<bool>(),
+                           example::subsystem_type(values)};
         const bool done = perform(unit, what);
         return unit.finish() && done ? example::success : example::failure;
     });

@@ -1,10 +1,10 @@
 #include "operator_unit.hpp"
 
 #include "support/component_of.hpp"
+#include "support/known_messages.hpp"
 #include "support/message_event.hpp"
 #include "support/program.hpp"
 #include "support/say.hpp"
-#include <jauscat/catalogue/ra_3_3.hpp>
 #include <jauscat/net/node/run_until.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/text/from_text.hpp>
@@ -17,7 +17,6 @@ namespace ocu {
 
 namespace {
 
-namespace catalogue = jauscat::catalogue;
 namespace events = example::events;
 namespace text = jauscat::text;
 namespace wire = jauscat::wire;
@@ -25,14 +24,14 @@ namespace wire = jauscat::wire;
 // The header in one line of hex, for its values are in the summary, and a line for each field of the body.
 void show(example::event_kind kind_of_event, const char* verb, std::span<const std::byte> message) {
     const auto parts = jaus::split(message);
-    auto lines = example::bold(std::string{"ocu "} + verb + " " + text::summary(parts.header)) + "\n";
+    auto lines = example::bold(std::string{"ocu "} + verb + " " + example::summary(parts.header)) + "\n";
     if (!jaus::is_acknowledgement(parts.header)) {
-        const auto* const known = catalogue::ra_3_3().find(parts.header.command_code);
         lines += text::hex_dump(message.first(jaus::header_size));
-        lines += known != nullptr ? known->annotate(parts.body, jaus::header_size)
-                                  : text::hex_dump(parts.body, "  ", jaus::header_size);
+        lines += example::body_lines(parts.header.command_code, parts.body, jaus::header_size);
     }
-    example::write_limited(verb, kind_of_event, example::message_members(parts.header, parts.body), lines);
+    example::write_limited(
+        verb, kind_of_event,
+        example::message_members(parts.header, parts.body, example::message_name(parts.header.command_code)), lines);
 }
 
 // A line caused by a peer, limited: a peer may send without end.
@@ -52,12 +51,13 @@ void say(example::event_kind kind, const example::event_members& members, const 
 }
 
 operator_unit::operator_unit(const net::jaus_config& config, const jaus::address& robot,
-                             const jauscat::retry_policy& retry, bool acknowledged)
+                             const jauscat::retry_policy& retry, bool acknowledged,
+                             std::optional<jaus::subsystem_type> type)
     : self_{example::component_of(config.me())},
       robot_{robot},
       retry_{retry},
       acknowledged_{acknowledged},
-      node_{context_, node_options(config)},
+      node_{context_, node_options(config, type)},
       unit_{node_,
             {.id = self_.component, .instance = self_.instance, .name = "operator control unit", .retry = retry}} {
     // Reports of the robot are for the operator; commands are for robots.
@@ -106,7 +106,7 @@ void operator_unit::on_control(error_code error, jauscat::control made) {
 
 reply operator_unit::give(const order& what, bool may_be_obeyed_silently) {
     const auto answer = exchange(what);
-    const auto name = text::message_name(what.command_code);
+    const auto name = example::message_name(what.command_code);
     const example::event_members code{{"code", what.command_code}, {"address", text::to_text(robot_)}};
     if (answer == reply::silence && may_be_obeyed_silently)
         say(events::not_acknowledged, code, name + " is not acknowledged; the report shows whether it is obeyed");
@@ -164,13 +164,15 @@ bool operator_unit::finish() {
     return released;
 }
 
-jauscat::node_options operator_unit::node_options(const net::jaus_config& config) {
-    jauscat::node_options options{.config = config.source, .this_system = config.this_system, .node = self_.node};
+jauscat::node_options operator_unit::node_options(const net::jaus_config& config,
+                                                  std::optional<jaus::subsystem_type> type) {
+    jauscat::node_options options{
+        .config = config.source, .this_system = config.this_system, .node = self_.node, .type = type};
     options.log = [this](std::string_view line) {
         if (const auto times = log_lines_.shown(line)) // the node limits them
             say(events::node_log, {{"line", line}, {"times", *times}}, log_lines_.text(line, *times));
     };
-    options.explain_malformed = catalogue::ra_3_3().explainer();
+    options.explain_malformed = example::known_messages().explainer();
     options.on_received = [this](const auto& component, const auto& head, bytes body) { seen(component, head, body); };
     options.on_sent = [this](bytes message) { sent(message); };
     return options;
@@ -219,7 +221,7 @@ void operator_unit::will_send(std::uint16_t command_code) {
 void operator_unit::tell_copies() const {
     if (copies_ > 1)
         say(events::copies_sent, {{"code", sent_code_}, {"copies", copies_}},
-            text::message_name(sent_code_) + " was sent " + std::to_string(copies_) + " times");
+            example::message_name(sent_code_) + " was sent " + std::to_string(copies_) + " times");
 }
 
 /// Lets the node work until `done()` or `given_up()`. Returns `done()`.

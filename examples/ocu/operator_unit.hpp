@@ -45,9 +45,9 @@ class operator_unit {
     using milliseconds = std::chrono::milliseconds;
 
     /// `retry`: of a message that must be answered. `acknowledged`: messages ask for an acknowledgement; else commands
-    /// are sent once.
+    /// are sent once. `type`: by default that of the configuration.
     operator_unit(const net::jaus_config& config, const jaus::address& robot, const jauscat::retry_policy& retry,
-                  bool acknowledged);
+                  bool acknowledged, std::optional<jaus::subsystem_type> type = {});
 
     /// Waits for a heartbeat of any component of the robot. False: none arrived.
     bool hear_robot(milliseconds patience);
@@ -70,7 +70,7 @@ class operator_unit {
     using error_code = boost::system::error_code;
 
     [[nodiscard]] bool holds() const noexcept { return has_control_ && control_.is_held(); }
-    jauscat::node_options node_options(const net::jaus_config& config);
+    jauscat::node_options node_options(const net::jaus_config& config, std::optional<jaus::subsystem_type> type);
     void on_control(error_code error, jauscat::control made);
     void sent(bytes message);
     void seen(const jaus::address& component, const jaus::header& head, bytes body);

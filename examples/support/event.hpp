@@ -141,6 +141,7 @@ inline constexpr event_kind delivery{"delivery"};
 inline constexpr event_kind peers{"peers"};
 inline constexpr event_kind command_help{"command_help"};
 inline constexpr event_kind log_switched{"log_switched"};
+inline constexpr event_kind acknowledgement_switched{"acknowledgement_switched"};
 inline constexpr event_kind line_refused{"line_refused"};
 
 // cyclic.

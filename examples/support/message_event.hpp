@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 
 namespace example {
 
@@ -19,14 +20,22 @@ inline const char* acknowledgement_name(jauscat::jaus::ack_nak what) {
     return "unknown";
 }
 
-inline event_members message_members(const jauscat::jaus::header& head) {
+/// `name`: of the message.
+inline event_members message_members(const jauscat::jaus::header& head, const std::string& name) {
     return {{"code", head.command_code},
-            {"message", jauscat::text::message_name(head.command_code)},
+            {"message", name},
             {"source", jauscat::text::to_text(head.source)},
             {"destination", jauscat::text::to_text(head.destination)},
             {"acknowledgement", acknowledgement_name(head.ack_nak)},
             {"sequence", head.sequence_number},
             {"size", jauscat::jaus::header_size + head.data_size}};
+}
+inline event_members message_members(const jauscat::jaus::header& head) {
+    return message_members(head, jauscat::text::message_name(head.command_code));
+}
+inline event_members message_members(const jauscat::jaus::header& head, std::span<const std::byte> body,
+                                     const std::string& name) {
+    return message_members(head, name) + event_members{{"body", jauscat::text::hex(body)}};
 }
 inline event_members message_members(const jauscat::jaus::header& head, std::span<const std::byte> body) {
     return message_members(head) + event_members{{"body", jauscat::text::hex(body)}};

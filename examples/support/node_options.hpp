@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 namespace example {
@@ -13,6 +14,23 @@ namespace example {
 inline jauscat::net::jaus_config load_config(const boost::program_options::variables_map& values) {
     const auto config = jauscat::net::read_jaus_config(values["config"].as<std::string>());
     return values.count("this") != 0 ? config.with_this(values["this"].as<std::string>()) : config;
+}
+
+/// --type: what the subsystem calls itself in Report Identification.
+inline void add_type_option(boost::program_options::options_description& options) {
+    options.add_options()("type", boost::program_options::value<std::string>(),
+                          "what the subsystem is, in its identification: vehicle, operator or other; without, as the "
+                          "configuration says");
+}
+inline std::optional<jauscat::jaus::subsystem_type>
+subsystem_type(const boost::program_options::variables_map& values) {
+    using enum jauscat::jaus::subsystem_type;
+    if (values.count("type") == 0) return {};
+    const auto& name = values["type"].as<std::string>();
+    if (name == "vehicle") return vehicle;
+    if (name == "operator") return operator_control_unit;
+    if (name == "other") return other;
+    throw usage_error{"--type must be vehicle, operator or other"};
 }
 
 /// `2.2.33.1` as an address with all octets given.

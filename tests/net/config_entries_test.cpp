@@ -57,6 +57,16 @@ TEST_CASE("a system may have several addresses and send from any port") {
     CHECK(complaint_in_b(many) == "test.xml:11: a <system> has at most 8 <ip>");
 }
 
+TEST_CASE("a system says what its subsystem is") {
+    using enum jaus::subsystem_type;
+    CHECK(system_b("").type == other);
+    CHECK(system_b("<type>vehicle</type>").type == vehicle);
+    CHECK(system_b("<type>operator</type>").type == operator_control_unit);
+    CHECK(system_b("<type>other</type>").type == other);
+    CHECK(complaint_in_b("<type>boat</type>") ==
+          "test.xml:4: type \"boat\" is unknown; use other, vehicle or operator");
+}
+
 TEST_CASE("a system takes part in a multicast group") {
     const auto standard = system_b("<multicast/>").multicast;
     REQUIRE(standard);

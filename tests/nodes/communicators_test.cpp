@@ -80,3 +80,92 @@ TEST_CASE("communicators send, answer and refuse messages") {
     const auto stopped = other.wait_for("stopped", {{"unknown_peer", 1}});
     CHECK(stopped["received"] > 0);
 }
+
+TEST_CASE("private messages are sent by code in hex, and by name where their schemas are compiled in") {
+    if (!std::filesystem::exists(bin() / "gripper_communicator")) {
+        std::puts("SKIPPED: communicator was not built: it needs libedit");
+        return;
+    }
+    robot r;
+    const auto b = [&](const std::string& name) -> program& {
+        auto& started = r.start_program(name, {"--config", r.config, "--this", "b"}, "log on\n", true);
+        started.wait_for("ready");
+        return started;
+    };
+    const std::string in_hex = "send b D101 hex=\"00 03 66:66 33\"\n"; // all fingers, 80 mm, 20 %
+    auto& plain = b("communicator");
+    CHECK(talk(r, 1, in_hex).has("delivery", {{"code", 0xD101}, {"result", "refused"}}));
+    const auto in_bytes = plain.wait_for("message_received", {{"code", 0xD101}, {"body", "00 03 66 66 33"}});
+    CHECK(in_bytes["text"].get<std::string>().find("command code 0xD101") != std::string::npos);
+    for (const std::string wrong :
+         {"send b D101", "send b D101 hex=123", "send b D101 opening=80", "send b 9999 hex=xy"}) {
+        INFO(wrong);
+        CHECK(talk(r, 1, wrong + "\n").has("line_refused"));
+    }
+    REQUIRE(plain.end(SIGINT) == 0);
+
+    auto& knows = b("gripper_communicator");
+    CHECK(talk(r, 0, in_hex).has("delivery", {{"code", 0xD101}, {"result", "acknowledged"}}));
+    const auto decoded = knows.wait_for("message_received", {{"message", "Set Gripper"}})["text"].get<std::string>();
+    INFO(decoded);
+    CHECK(decoded.find("opening = 80 mm") != std::string::npos);
+    auto& by_name = r.run(0, "gripper_communicator", {"--config", r.config, "--this", "a"},
+                          "send b set_gripper finger=0 opening=80 force=20\n");
+    CHECK(by_name.has("message_sent", {{"code", 0xD101}, {"body", "00 03 66 66 33"}, {"message", "Set Gripper"}}));
+    knows.wait_for("message_received", {{"code", 0xD101}, {"body", "00 03 66 66 33"}}, 2);
+    auto& unit = r.run(0, "gripper_ocu",
+                       {"--config", r.config, "--this", "a", "--to", "2.1.32.1", "--no-control", "--send",
+                        "set_gripper", "finger=0", "opening=80", "force=20"});
+    CHECK(unit.has("message_sent", {{"code", 0xD101}, {"body", "00 03 66 66 33"}, {"message", "Set Gripper"}}));
+    auto& unit_in_hex = r.run(0, "ocu",
+                              {"--config", r.config, "--this", "a", "--to", "2.1.32.1", "--no-control", "--send",
+                               "0xD101", "hex=0003666633"});
+    CHECK(unit_in_hex.has("message_sent", {{"code", 0xD101}, {"body", "00 03 66 66 33"}}));
+    knows.wait_for("message_received", {{"code", 0xD101}, {"body", "00 03 66 66 33"}}, 4);
+    if (!std::filesystem::exists(bin() / "gripper_jausdump")) return;
+    program dump{{(bin() / "gripper_jausdump").string()}, "860201d101012002010120010500000000036666 33\n"};
+    REQUIRE(dump.wait() == 0);
+    CHECK(dump.has_output("Set Gripper"));
+    CHECK(dump.has_output("opening = 80 mm"));
+}
+
+TEST_CASE("commands are sent without asking for an acknowledgement where none will come") {
+    if (!std::filesystem::exists(bin() / "communicator")) {
+        std::puts("SKIPPED: communicator was not built: it needs libedit");
+        return;
+    }
+    robot r;
+    auto& other = r.start_program("communicator", {"--config", r.config, "--this", "b"}, "log on\n", true);
+    other.wait_for("ready");
+    auto& silent = r.run(0, "communicator", {"--config", r.config, "--this", "a", "--unacknowledged"},
+                         "send b set_component_authority authority_code=5\nsend b query_component_authority\n");
+    CHECK(silent.count("delivery") == 0);
+    CHECK(silent.has("message_received", {{"code", 0x4001}, {"body", "05"}}));
+    other.wait_for("message_received", {{"code", 0x0001}, {"acknowledgement", "none"}});
+    auto& both = talk(r, 0,
+                      "acknowledge off\nsend b set_component_authority authority_code=6\nacknowledge on\n"
+                      "send b set_component_authority authority_code=7\n");
+    CHECK(both.has("acknowledgement_switched", {{"on", false}}));
+    CHECK(both.count("delivery", {{"result", "acknowledged"}}) == 1);
+    other.wait_for("message_received", {{"code", 0x0001}, {"body", "06"}, {"acknowledgement", "none"}});
+    other.wait_for("message_received", {{"code", 0x0001}, {"body", "07"}, {"acknowledgement", "request"}});
+}
+
+TEST_CASE("a subsystem says what it is") {
+    if (!std::filesystem::exists(bin() / "communicator")) {
+        std::puts("SKIPPED: communicator was not built: it needs libedit");
+        return;
+    }
+    robot r;
+    // Type 10001 is 2711h, 20001 is 4E21h, 30001 is 7531h.
+    for (const auto& [type, bytes] : {std::pair{"vehicle", "11 27"}, {"operator", "21 4e"}, {"other", "31 75"}}) {
+        INFO(type);
+        auto& other = r.start_program("communicator", {"--config", r.config, "--this", "b", "--type", type}, "", true);
+        other.wait_for("ready");
+        auto& asking = talk(r, 0, "send 2.1.1.1 query_identification query_type=subsystem_identification\n");
+        const auto body = asking.wait_for("message_received", {{"code", 0x4B00}})["body"].get<std::string>();
+        CHECK(body.substr(6, 5) == bytes);
+        REQUIRE(other.end(SIGINT) == 0);
+    }
+    CHECK(r.run(2, "communicator", {"--config", r.config, "--type", "boat"}).has_output("vehicle, operator or other"));
+}

@@ -1,12 +1,12 @@
-// The interactive node: shows the messages that arrive, and sends any message of the standard by its name.
+// The interactive node: shows the messages that arrive, and sends any message by its name or code.
 #include "line_source.hpp"
 #include "support/component_of.hpp"
+#include "support/known_messages.hpp"
 #include "support/message_event.hpp"
 #include "support/node_options.hpp"
 #include "support/repeated_lines.hpp"
 #include "support/say.hpp"
 #include <jauscat/app/component.hpp>
-#include <jauscat/catalogue/ra_3_3.hpp>
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/net/config/jaus_config.hpp>
 #include <jauscat/net/detail/endpoint_text.hpp>
@@ -18,14 +18,14 @@
 
 namespace {
 
-namespace catalogue = jauscat::catalogue;
 namespace events = example::events;
 namespace jaus = jauscat::jaus;
 namespace net = jauscat::net;
 namespace text = jauscat::text;
 using namespace std::chrono_literals;
 
-constexpr const char* help = R"(communicator: a JAUS node that sends messages from the keyboard or a script.
+constexpr const char* help =
+    R"(communicator: a JAUS node that sends messages from the keyboard or a script, and shows those that arrive.
 
   communicator [options]
 
@@ -34,6 +34,11 @@ Examples:
   communicator --this b --open
   printf 'send b set_component_authority authority_code=5\nexit\n' | communicator --this a
   printf 'wait 10\n' | communicator --this b
+  printf 'send b D101 hex=000301f00132\nexit\n' | communicator --this a --unacknowledged
+
+A message with an unknown code, such as a private one (D000h to FFFFh), is sent with its body in hex and shown in hex. With the cmake
+option JAUSCAT_PRIVATE_MESSAGES=HEADER the messages of a header have names and fields here; docs/catalogue.md says how.
+Private messages that are known are acknowledged; other commands are refused, for nothing here obeys them.
 
 It is the first component that the configuration lists for its node, or else component 32.
 Exit code: 0; 1 if the node cannot be started, or if in a script a line was wrong or a message was refused or not
@@ -43,6 +48,8 @@ answered; 2 for a wrong command line.
 constexpr const char* commands =
     R"(  send WHOM MESSAGE [FIELD=VALUE ...]   WHOM: name of a system or a JAUS ID, such as b or 2.1.32.1
                                         MESSAGE: as in the standard, such as set_component_authority or 0001
+  send WHOM MESSAGE hex=DIGITS          the same with the body byte for byte; MESSAGE may be any code, such as D101
+  acknowledge on|off                    request acknowledgements of commands, as is the default, or none
   peers                                 list the systems of the configuration and the detected peers
   log on|off                            also show messages to the node manager, and repeated lines
   wait SECONDS                          wait before the next line
@@ -55,8 +62,11 @@ using words = std::vector<std::string>;
 
 class communicator {
   public:
-    communicator(const net::jaus_config& config, jauscat::node_options options, std::unique_ptr<line_source> input)
+    /// `acknowledged`: commands request an acknowledgement.
+    communicator(const net::jaus_config& config, jauscat::node_options options, bool acknowledged,
+                 std::unique_ptr<line_source> input)
         : input_{std::move(input)},
+          acknowledged_{acknowledged},
           config_{config},
           self_{own_component(config.me(), options.node)},
           node_{context_, with_hooks(std::move(options))},
@@ -99,11 +109,13 @@ class communicator {
     }
 
   private:
-    /// Reports and answers are shown and no more; a command that the component does not know cannot be obeyed.
+    /// Reports, answers and private messages that are known are shown and no more; another command cannot be obeyed.
     static jaus::message_outcome outcome_of(const jaus::header& head) {
         constexpr std::array<std::uint16_t, 5> answers{0x0009, 0x000F, 0x0010, 0x01F3, 0x01F4};
         const bool informs = head.command_code >= 0x4000 && head.command_code < 0x6000;
-        return informs || std::ranges::find(answers, head.command_code) != answers.end()
+        const bool is_known_private =
+            jaus::is_private(head.command_code) && example::known_messages().find(head.command_code) != nullptr;
+        return informs || is_known_private || std::ranges::find(answers, head.command_code) != answers.end()
                    ? jaus::message_outcome::handled
                    : jaus::message_outcome::unhandled;
     }
@@ -142,7 +154,7 @@ class communicator {
         const auto what = !error                                 ? jaus::delivered::acknowledged
                           : error == jauscat::node_errc::refused ? jaus::delivered::refused
                                                                  : jaus::delivered::timed_out;
-        const auto line = text::message_name(head.command_code) + " to " + text::to_text(head.destination) + ": " +
+        const auto line = example::message_name(head.command_code) + " to " + text::to_text(head.destination) + ": " +
                           std::string{describe(what)};
         const example::event_members members{{"code", head.command_code},
                                              {"destination", text::to_text(head.destination)},
@@ -158,7 +170,7 @@ class communicator {
         if (error == jauscat::node_errc::no_answer) {
             const auto report = jaus::report_code_of(head.command_code);
             wrong(events::no_answer, {{"code", report}, {"address", text::to_text(head.destination)}},
-                  "no " + text::message_name(report) + " from " + text::to_text(head.destination));
+                  "no " + example::message_name(report) + " from " + text::to_text(head.destination));
         } else if (error)
             not_sent(head, error.message());
     }
@@ -172,8 +184,8 @@ class communicator {
         const auto found = std::ranges::find_if(unsent_, [&](const auto& one) { return is_like(one, head); });
         if (found == unsent_.end() || head.source != self_) return;
         unsent_.erase(found);
-        show(events::message_sent, example::message_members(head, parts.body),
-             "sent " + text::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");
+        show(events::message_sent, example::message_members(head, parts.body, example::message_name(head.command_code)),
+             "sent " + example::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");
     }
     void not_sent(const jaus::header& head, const std::string& why) {
         std::erase_if(unsent_, [&](const auto& one) { return is_like(one, head); });
@@ -230,7 +242,7 @@ class communicator {
                 show(events::node_log, {{"line", line}, {"times", times.value_or(1)}},
                      "log: " + log_lines_.text(line, times.value_or(1)) + "\n");
         };
-        options.explain_malformed = catalogue::ra_3_3().explainer();
+        options.explain_malformed = example::known_messages().explainer();
         options.on_handled = [this](const jaus::address& component, const jaus::header& head,
                                     std::span<const std::byte> body,
                                     jaus::component_outcome what) { seen(component, head, body, what); };
@@ -260,13 +272,13 @@ class communicator {
             tell_changes();
         }
         if (component != self_ && !log_) return;
-        auto first = "received " + text::summary(head);
+        auto first = "received " + example::summary(head);
         if (what != jaus::component_outcome::handled) first += "; " + std::string{describe(what)};
         auto lines = example::bold(first) + "\n";
-        const auto* const known = catalogue::ra_3_3().find(head.command_code);
-        if (!body.empty()) lines += known != nullptr ? known->annotate(body) : text::hex_dump(body);
+        if (!body.empty()) lines += example::body_lines(head.command_code, body, 0);
         tell("received", events::message_received,
-             example::message_members(head, body) + example::event_members{{"result", std::string{describe(what)}}},
+             example::message_members(head, body, example::message_name(head.command_code)) +
+                 example::event_members{{"result", std::string{describe(what)}}},
              lines);
     }
 
@@ -284,6 +296,10 @@ class communicator {
         if (verb == "log" && all.size() == 2 && (all[1] == "on" || all[1] == "off")) {
             log_ = all[1] == "on";
             return show(events::log_switched, {{"on", log_}}, "log " + all[1] + "\n");
+        }
+        if (verb == "acknowledge" && all.size() == 2 && (all[1] == "on" || all[1] == "off")) {
+            acknowledged_ = all[1] == "on";
+            return show(events::acknowledgement_switched, {{"on", acknowledged_}}, "acknowledge " + all[1] + "\n");
         }
         if (verb == "wait" && all.size() == 2) {
             char* end{};
@@ -308,17 +324,13 @@ class communicator {
             head.destination = *id;
         else
             return wrong("'" + all[1] + "' is neither a system of the configuration nor a JAUS ID; see peers");
-        const auto type = catalogue::ra_3_3().find(all[2]);
-        if (!type) return wrong(type.error().message);
-        head.command_code = (*type)->command_code();
-        const auto message = (*type)->from_words(std::span{all}.subspan(3));
+        const auto message = example::read_message(all[2], std::span{all}.subspan(3));
         if (!message) return wrong(message.error().message);
-        const auto encoded = message->encode();
-        if (!encoded) return wrong(std::string{jauscat::wire::describe(encoded.error())});
-        const std::span<const std::byte> body = *encoded;
+        head.command_code = message->command_code;
+        const std::span<const std::byte> body = message->body;
         const bool asks = jaus::report_code_of(head.command_code) != 0;
         unsent_.push_back(head);
-        if (!jaus::names_one_component(head.destination)) {
+        if (!jaus::names_one_component(head.destination) || (!acknowledged_ && !asks)) {
             const auto done = unit_.send(head.destination, head.command_code, body);
             if (!done) not_sent(head, done.error().message);
             return;
@@ -349,6 +361,7 @@ class communicator {
     }
 
     std::unique_ptr<line_source> input_;
+    bool acknowledged_;
     net::jaus_config config_;
     jaus::address self_;
     example::repeated_lines log_lines_{};
@@ -379,9 +392,11 @@ int main(int argc, char** argv) {
             ("this", po::value<std::string>(), "the system this node is, instead of the file's <thissystem>")
             ("node", po::value<unsigned>()->default_value(0), "JAUS node of this program; 0: that of the file, or 1")
             ("primary", po::value<unsigned>()->default_value(0), "the node that relays within the subsystem; 0: none")
+            ("unacknowledged", po::bool_switch(), "request no acknowledgements of commands, for peers that never send them")
             ("open", "accept messages from all senders, for tests")
             ("reuse", "share address and port with other programs (SO_REUSEADDR)");
         // clang-format on
+        example::add_type_option(options);
         example::add_log_option(options);
         const auto values = example::parse(argc, argv, options, help);
         const auto id = [&](const char* name) {
@@ -391,10 +406,11 @@ int main(int argc, char** argv) {
         };
         jauscat::node_options how{.node = id("node"),
                                   .primary = id("primary"),
+                                  .type = example::subsystem_type(values),
                                   .open = values.count("open") != 0,
                                   .reuse_address = values.count("reuse") != 0};
         const bool by_hand = ::isatty(STDIN_FILENO) != 0;
-        communicator node{example::load_config(values), std::move(how),
+        communicator node{example::load_config(values), std::move(how), !values["unacknowledged"].as<bool>(),
                           by_hand ? terminal_lines("> ") : script_lines()};
         return node.run() || by_hand ? example::success : example::failure;
     });

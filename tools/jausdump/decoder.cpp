@@ -1,7 +1,7 @@
 #include "decoder.hpp"
 
+#include "support/known_messages.hpp"
 #include <jauscat/catalogue/json.hpp>
-#include <jauscat/catalogue/ra_3_3.hpp>
 
 namespace jausdump {
 
@@ -71,11 +71,11 @@ void tell_payload(decoded_body& body, const payload_members& members, std::size_
 
 } // namespace
 
-bool is_known(std::uint16_t command_code) { return catalogue::ra_3_3().find(command_code) != nullptr; }
+bool is_known(std::uint16_t command_code) { return example::known_messages().find(command_code) != nullptr; }
 
 decoded_body decode_body(std::span<const std::byte> bytes, const decoding& how) {
     decoded_body body{};
-    const auto message = catalogue::ra_3_3().find(how.head.command_code)->decode(bytes);
+    const auto message = example::known_messages().find(how.head.command_code)->decode(bytes);
     if (!message) {
         body.fault = message.error();
         return body;

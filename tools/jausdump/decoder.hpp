@@ -26,7 +26,7 @@ struct decoding {
     bool text{};           ///< make text, else JSON
 };
 
-/// Whether the standard has a message of the command code.
+/// Whether the message of the command code is among example::known_messages.
 bool is_known(std::uint16_t command_code);
 /// Decodes the body, `bytes`, of a message whose command code is known.
 decoded_body decode_body(std::span<const std::byte> bytes, const decoding& how);

@@ -1,6 +1,7 @@
 #include "dump.hpp"
 
-#include "hex_line.hpp"
+#include "support/hex_line.hpp"
+#include "support/known_messages.hpp"
 #include "support/output.hpp"
 #include <jauscat/jaus/message/framing.hpp>
 #include <jauscat/jaus/message/ignored_bits.hpp>
@@ -43,7 +44,7 @@ std::string name_of(std::uint16_t command_code) {
         if (const auto found = std::ranges::find(names, command_code, &jaus::catalog_entry::command_code);
             found != names.end())
             return std::string{found->name};
-    return "unknown";
+    return is_known(command_code) ? example::message_name(command_code) : "unknown";
 }
 
 /// Why a datagram without the prefix is no JAUS message; empty where it may be one. What only has a wrong size is one,
@@ -84,7 +85,7 @@ dump::dump(options how) : options_{std::move(how)} {
 void dump::on_line(const std::string& line, std::size_t number) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) return;
     record message{.origin = {.place = "line", .number = number}};
-    const hex_line read = read_hex_line(line);
+    const auto read = example::read_hex_line(line);
     if (!read.error.empty()) {
         message.kind = kind::broken;
         message.error = fault{.error = read.error, .what = "line " + std::to_string(number) + ": " + read.what};

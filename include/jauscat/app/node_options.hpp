@@ -2,11 +2,13 @@
 #pragma once
 #include <jauscat/base/compilation.hpp>
 #include <jauscat/jaus/component/component_outcome.hpp>
+#include <jauscat/jaus/routing/node_description.hpp>
 #include <jauscat/schema/jaus/header.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,9 +23,10 @@ struct node_options {
     std::string this_system{};            ///< the system of the file that this program is; empty: its <thissystem>
     std::uint8_t node{};                  ///< JAUS node; 0: the one that the system's jausip names, or 1
     std::uint8_t primary{};               ///< the node that relays within the subsystem; 0: none
-    bool open{};                          ///< accepts messages of systems that the configuration does not have
-    bool reuse_address{};                 ///< shares address and port with other programs (SO_REUSEADDR)
-    std::string name{};                   ///< of the program, in front of lines on standard error
+    std::optional<jaus::subsystem_type> type{}; ///< of its subsystem; without, that of the configuration
+    bool open{};                                ///< accepts messages of systems that the configuration does not have
+    bool reuse_address{};                       ///< shares address and port with other programs (SO_REUSEADDR)
+    std::string name{};                         ///< of the program, in front of lines on standard error
     /// Gets a line for each message that was refused, unroutable or lost, and for each exception of a handler. By
     /// default they are written to standard error.
     std::function<void(std::string_view line)> log{};

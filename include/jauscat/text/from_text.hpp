@@ -58,6 +58,9 @@ inline namespace JAUSCAT_WAY {
 /// "Set End-Effector Path Motion" to "set_end_effector_path_motion".
 [[nodiscard]] JAUSCAT_DECL std::string snake_case(std::string_view standard_name);
 
+/// A command code in hex: 0405, 0405h, 0x0405; nothing where it is none.
+[[nodiscard]] JAUSCAT_DECL std::optional<std::uint16_t> command_code_from(std::string_view digits);
+
 /// The command code of a message that is named as in its schema, as in the standard, or by its code in hex: 0405,
 /// 0405h, 0x0405. Error: unknown_message.
 [[nodiscard]] JAUSCAT_DECL result<std::uint16_t, error> find_message(std::string_view name);

@@ -6,6 +6,9 @@
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/message_name.hpp>
 
+#include <string>
+#include <utility>
+
 namespace jauscat::text {
 
 /// `2.1.33.1`: subsystem, node, component, instance.
@@ -15,12 +18,16 @@ namespace jauscat::text {
 }
 
 /// `Set Wrench Effort, 36 bytes, 1.1.32.1 -> 2.1.33.1, sequence 34`.
-[[nodiscard]] inline std::string summary(const jaus::header& head) {
-    std::string text = message_name(head.command_code);
+[[nodiscard]] inline std::string summary(const jaus::header& head, std::string name) {
+    std::string text = std::move(name);
     if (head.ack_nak == jaus::ack_nak::ack) text += " (ACK)";
     if (head.ack_nak == jaus::ack_nak::nak) text += " (NAK)";
     return text + ", " + std::to_string(jaus::header_size + head.data_size) + " bytes, " + to_text(head.source) +
            " -> " + to_text(head.destination) + ", sequence " + std::to_string(head.sequence_number);
+}
+/// The same with the standard's name.
+[[nodiscard]] inline std::string summary(const jaus::header& head) {
+    return summary(head, message_name(head.command_code));
 }
 
 /// Which field and byte of a body are at fault, if it is that of one of `Messages` and does not decode; else empty.

@@ -37,6 +37,7 @@ JAUSCAT_DECL net::jaus_node_options node_state::net_options() {
     net::jaus_node_options net{.accept = options_.open ? net::access::open : net::access::closed,
                                .node = options_.node,
                                .primary = options_.primary,
+                               .type = options_.type,
                                .socket = {.reuse_address = options_.reuse_address}};
     net.log = [this](std::string_view line) { log(line); };
     net.explain_malformed = [this](std::uint16_t command_code, bytes body) {

@@ -15,6 +15,9 @@ inline constexpr std::array<supported_message, 6> output{{{0x2B01}, {0x4202}, {0
 inline constexpr std::array<offered_service, 1> services{{{1, input, output}}};
 } // namespace node_manager_messages
 
+/// Types of subsystems in Report Identification.
+enum class subsystem_type : std::uint16_t { vehicle = 10001, operator_control_unit = 20001, other = 30001 };
+
 /// Identifications of system, subsystem and node.
 struct node_description {
     identity system{}; ///< identification of the system

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <jauscat/jaus/message/framing.hpp>
+#include <jauscat/jaus/routing/node_description.hpp>
 #include <jauscat/net/config/jausip.hpp>
 #include <jauscat/net/config/slave_entry.hpp>
 #include <jauscat/net/config/udp_options.hpp>
@@ -75,11 +76,12 @@ struct system_entry {
     static constexpr std::size_t max_ips = 8;
 
     std::string name{};
-    jaus::address jausip{};        ///< each level 0 to 254; 0 matches every ID at that level
-    boost::asio::ip::address ip{}; ///< IPv4 or IPv6; the destination of messages to it
-    std::uint16_t port{};          ///< UDP port, 1 to 65535
-    jaus::framing framing{};       ///< framing of messages to this system; `bare` by default
-    std::size_t line{};            ///< where the file declares it
+    jaus::address jausip{};                                 ///< each level 0 to 254; 0 matches every ID at that level
+    boost::asio::ip::address ip{};                          ///< IPv4 or IPv6; the destination of messages to it
+    std::uint16_t port{};                                   ///< UDP port, 1 to 65535
+    jaus::framing framing{};                                ///< framing of messages to this system; `bare` by default
+    jaus::subsystem_type type{jaus::subsystem_type::other}; ///< what it calls its subsystem
+    std::size_t line{};                                     ///< where the file declares it
 
     std::vector<boost::asio::ip::address> more_ips{}; ///< further source addresses; all different
     bool any_source_port{};                           ///< it may send from any port

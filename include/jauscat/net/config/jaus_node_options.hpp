@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,6 +29,8 @@ struct jaus_node_options {
     std::uint8_t node{};
     /// The node that relays within the subsystem; 0: none. See jaus::router.
     std::uint8_t primary{};
+    /// What its subsystem is, in Report Identification; without, what the configuration says.
+    std::optional<jaus::subsystem_type> type{};
     udp_options socket{};
 
     jaus::heartbeat beat = jaus::heartbeat_to_all(); ///< of the node manager

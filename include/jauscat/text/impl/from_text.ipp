@@ -40,18 +40,21 @@ JAUSCAT_DECL std::string snake_case(std::string_view standard_name) {
     return made;
 }
 
-JAUSCAT_DECL result<std::uint16_t, error> find_message(std::string_view name, std::span<const named_message> among) {
-    const auto unknown = [&](const std::string& message) {
-        return error{.code = errc::unknown_message, .value = std::string{name}, .message = message};
-    };
-    std::string_view digits = name;
+JAUSCAT_DECL std::optional<std::uint16_t> command_code_from(std::string_view digits) {
     if (digits.starts_with("0x") || digits.starts_with("0X")) digits.remove_prefix(2);
     if (digits.ends_with('h') || digits.ends_with('H')) digits.remove_suffix(1);
     std::uint16_t code{};
     const auto [stop, failed] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
-    if (failed == std::errc{} && stop == digits.data() + digits.size()) {
-        if (std::ranges::find(among, code, &named_message::command_code) != among.end()) return code;
-        return unknown("there is no message with the code " + hex_number(code, 4));
+    return failed == std::errc{} && stop == digits.data() + digits.size() ? std::optional{code} : std::nullopt;
+}
+
+JAUSCAT_DECL result<std::uint16_t, error> find_message(std::string_view name, std::span<const named_message> among) {
+    const auto unknown = [&](const std::string& message) {
+        return error{.code = errc::unknown_message, .value = std::string{name}, .message = message};
+    };
+    if (const auto code = command_code_from(name)) {
+        if (std::ranges::find(among, *code, &named_message::command_code) != among.end()) return *code;
+        return unknown("there is no message with the code " + hex_number(*code, 4));
     }
     const std::string wanted = snake_case(name);
     std::vector<std::string_view> names;

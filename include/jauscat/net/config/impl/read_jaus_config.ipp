@@ -53,18 +53,22 @@ class config_reader {
 
     system_entry system(pugi::xml_node node) {
         std::array values{config_value{"name"}, config_value{"jausip"},  config_value{"ip"},
-                          config_value{"port"}, config_value{"framing"}, config_value{"sourceport"}};
-        auto& [name, jausip, ip, port, framing, source_port] = values;
+                          config_value{"port"}, config_value{"framing"}, config_value{"sourceport"},
+                          config_value{"type"}};
+        auto& [name, jausip, ip, port, framing, source_port, type] = values;
         std::vector<config_value> ips;
         source_.collect(node, values, {"multicast", "limits", "ethercat", "node", "component"}, "ip", &ips);
         if (!ips.empty()) ip = ips.front();
         source_.need(node, {name, jausip, ip, port});
         constexpr std::array framings{jaus::framing::bare, jaus::framing::jaus01, jaus::framing::judp1};
+        using enum jaus::subsystem_type;
+        constexpr std::array types{other, vehicle, operator_control_unit};
         system_entry made{.name = unique_name(name),
                           .jausip = unique_jausip(jausip),
                           .ip = config_ip(source_, ip),
                           .port = port_of(port),
                           .framing = framings[config_one_of(source_, framing, {"bare", "JAUS01.0", "judp1"})],
+                          .type = types[config_one_of(source_, type, {"other", "vehicle", "operator"})],
                           .line = source_.line_of(node)};
         for (const auto& more : std::span{ips}.subspan(1)) add_ip(made, more);
         made.any_source_port = config_choice(source_, source_port, "same", "any");

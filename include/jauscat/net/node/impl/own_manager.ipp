@@ -18,7 +18,7 @@ struct own_manager::parts {
     parts(const jaus_config& config, const jaus::address& self, std::span<const jaus::address> components,
           const jaus_node_options& options, presence_changes& changes)
         : listed_components{listed(config, self, components)},
-          description{described(config, self, listed_components)},
+          description{described(config, self, listed_components, options)},
           presences(places),
           lists(8 * (places + listed_components.size() + 1) + 32 * 256), // see node_manager_memory
           report(3 * 4096 + 4 * (places + listed_components.size())), // packet, answer and 4 bytes for each listed one
@@ -70,9 +70,11 @@ struct own_manager::parts {
         return all;
     }
     static jaus::node_description described(const jaus_config& config, const jaus::address& self,
-                                            std::span<const jaus::configured_component> components) {
+                                            std::span<const jaus::configured_component> components,
+                                            const jaus_node_options& options) {
         jaus::node_description made{.components = components};
         const auto& me = config.me();
+        made.subsystem.type = static_cast<std::uint16_t>(options.type.value_or(me.type));
         made.system.identification = made.subsystem.identification = made.node.identification = in_report(me.name);
         made.manager.identification = "node manager";
         for (const auto& node : me.nodes)

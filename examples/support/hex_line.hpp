@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace jausdump {
+namespace example {
 
 /// A line read as bytes, or why it cannot be.
 struct hex_line {
@@ -53,4 +53,4 @@ inline hex_line read_hex_line(std::string_view text) {
     return line;
 }
 
-} // namespace jausdump
+} // namespace example
