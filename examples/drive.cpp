@@ -4,6 +4,8 @@
 #include <jauscat/schema/jaus/platform.hpp>
 
 #include <boost/asio/co_spawn.hpp>
+#include <boost/asio/redirect_error.hpp>
+#include <boost/asio/use_awaitable.hpp>
 
 #include <exception>
 #include <iostream>
@@ -15,7 +17,10 @@ namespace jaus = jauscat::jaus;
 // [drive]
 asio::awaitable<void> drive(jauscat::component& unit, jaus::address driver) {
     auto control = co_await unit.async_control(driver, {.authority = 100}); // until the end of the scope
-    co_await control.async_send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50}); // until acknowledged
+    boost::system::error_code why; // some peers never acknowledge: their reports show what they do
+    co_await control.async_send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50},
+                                asio::redirect_error(asio::use_awaitable, why)); // until acknowledged
+    if (why) std::cout << "Set Wrench Effort: " << why.message() << "; the reports show whether it is obeyed\n";
     const auto show = [](std::string_view what, const jaus::report_wrench_effort& report) {
         if (const auto& x = report.propulsive_linear_effort_x) std::cout << what << *x << " %\n";
     };

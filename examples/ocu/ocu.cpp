@@ -3,12 +3,15 @@
 #include "operator_unit.hpp"
 #include "support/known_messages.hpp"
 #include "support/node_options.hpp"
+#include <jauscat/catalogue/json.hpp>
 #include <jauscat/jaus/component/command_rules.hpp>
 #include <jauscat/jaus/message/requested_fields.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/text/from_text.hpp>
 #include <jauscat/text/jaus.hpp>
 
+#include <algorithm>
+#include <optional>
 #include <random>
 
 namespace {
@@ -39,8 +42,8 @@ releases it at the end, also after Ctrl-C. Queries, reports, Set and Clear Emerg
 Without --send the fields are those of Set Wrench Effort. --send accepts every message of the standard by its name, any
 other by its code with its body in hex (--send D101 hex=0a14), and by name the private ones that are compiled in
 (cmake option JAUSCAT_PRIVATE_MESSAGES=HEADER, docs/catalogue.md).
-The report shows whether a peer that does not acknowledge has executed the command. --unacknowledged requests no
-acknowledgement.
+The report shows whether a peer that does not acknowledge has executed the command, where there is a query for it.
+--unacknowledged requests no acknowledgement.
 Exit code: 0 if the report equals the command, or the message of --send was answered as expected; 1 if not, if there is
 no answer, or if control is refused or lost before the end; 2 for a wrong command line.
 )";
@@ -88,6 +91,44 @@ bool is_in_force(operator_unit& unit, const order& command, bool is_acknowledged
     return equal;
 }
 
+/// The query for all fields of the report of what a command has set: Query Travel Speed for Set Travel Speed.
+std::optional<order> query_after(const order& command) {
+    const auto* const query = example::known_messages().find(static_cast<std::uint16_t>(command.command_code + 0x2000));
+    if (command.command_code >= 0x2000 || query == nullptr) return {};
+    words fields;
+    if (const auto size = query->min_size(); size != 0) fields = {"presence_vector=0x" + std::string(2 * size, 'F')};
+    const auto message = query->from_words(fields);
+    if (!message) return {}; // it asks for more than fields
+    auto body = message->encode();
+    if (!body) return {};
+    return order{query->command_code(), *std::move(body)};
+}
+
+/// Whether the report has all fields of the command, with their values.
+bool has_fields_of(const order& command, std::span<const std::byte> report) {
+    const auto fields = [](std::uint16_t command_code, std::span<const std::byte> body) {
+        const auto* const type = example::known_messages().find(command_code);
+        const auto message = type->decode(body);
+        return message ? jauscat::catalogue::to_json(*message) : text::json::object();
+    };
+    const auto told = fields(command.command_code, command.body);
+    const auto found = fields(static_cast<std::uint16_t>(command.command_code + 0x4000), report);
+    return !told.empty() && std::ranges::all_of(told.items(), [&](const auto& field) {
+        return found.contains(field.key()) && found[field.key()] == field.value();
+    });
+}
+
+/// For a peer that never acknowledges: asks for the report of what the command has set.
+bool is_reported(operator_unit& unit, const order& command, const order& query) {
+    unit.expect_no_acknowledgements();
+    if (unit.give(query) != reply::taken) return false;
+    const bool equal = has_fields_of(command, unit.report());
+    ocu::say(example::events::report_compared, {{"equal", equal}, {"acknowledged", false}},
+             equal ? "OK: obeyed, not acknowledged: the report has the fields of the command"
+                   : "FAILED: not acknowledged, not obeyed: the report has other fields than the command");
+    return equal;
+}
+
 /// Whether a component under control accepts the command from its controller only. A sender that has set an emergency
 /// may clear it without control.
 bool needs_control(std::uint16_t command_code) {
@@ -107,8 +148,10 @@ struct task {
 bool perform(operator_unit& unit, const task& what) {
     if (what.wait.count() != 0 && !unit.hear_robot(what.wait)) return false;
     if (what.control && !unit.take_control(what.authority)) return false;
-    const auto answer = unit.give(what.first, what.compare);
+    const auto query = what.compare ? std::nullopt : query_after(what.first);
+    const auto answer = unit.give(what.first, what.compare || query);
     const bool is_acknowledged = answer == reply::taken;
+    if (answer == reply::silence && query) return is_reported(unit, what.first, *query) && !unit.has_lost_control();
     if (!is_acknowledged && answer != reply::sent && !(answer == reply::silence && what.compare)) return false;
     if (!is_acknowledged) unit.expect_no_acknowledgements();
     if (!what.compare)

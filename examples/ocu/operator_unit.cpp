@@ -109,7 +109,9 @@ reply operator_unit::give(const order& what, bool may_be_obeyed_silently) {
     const auto name = example::message_name(what.command_code);
     const example::event_members code{{"code", what.command_code}, {"address", text::to_text(robot_)}};
     if (answer == reply::silence && may_be_obeyed_silently)
-        say(events::not_acknowledged, code, name + " is not acknowledged; the report shows whether it is obeyed");
+        say(events::not_acknowledged, code,
+            text::to_text(robot_) + (has_spoken_ ? " answers, but does not acknowledge " : " does not acknowledge ") +
+                name + ": the report shows whether it is obeyed");
     else if (answer == reply::silence)
         say(events::no_answer, code + example::event_members{{"heard", heartbeats_ != 0}},
             "FAILED: no answer to " + name + "; " + hint());
@@ -195,6 +197,7 @@ void operator_unit::seen(const jaus::address& component, const jaus::header& hea
         return;
     }
     if (component != self_) return;
+    has_spoken_ = has_spoken_ || head.source == robot_;
     jaus::confirm_component_control answer{};
     const bool is_answer = head.command_code == jaus::command_code_of<jaus::confirm_component_control>;
     const bool confirms = is_answer && wire::decode(answer, body) &&
@@ -286,6 +289,8 @@ bool operator_unit::is_robot_gone() const { return heartbeats_ != 0 && present_.
 
 /// Hints if there is no answer.
 std::string operator_unit::hint() const {
+    if (has_spoken_)
+        return text::to_text(robot_) + " has answered other messages; --unacknowledged requests no acknowledgement";
     if (heartbeats_ == 0) return "is robot_controller running?";
     const auto who = text::to_text(heard_);
     return heard_ == robot_ ? who + " is heard, but does not answer"

@@ -93,6 +93,7 @@ class operator_unit {
     jauscat::retry_policy retry_;
     bool acknowledged_;
     bool quiet_{};
+    bool has_spoken_{}; ///< a message of the robot's component has come
 
     // What the message that was sent last has come to.
     std::uint16_t sent_code_{};

@@ -347,18 +347,97 @@ TEST_CASE("components are found by their ID, name and messages, on all nodes tha
     };
     REQUIRE(test.until([&] { return has(appeared, test.robots.manager()); }));
     test.run([&]() -> boost::asio::awaitable<void> {
-        auto found = co_await test.unit.async_find({.component = 33});
+        auto found = co_await test.unit.async_find({.component = 33, .count = 1});
         CHECK(found.size() == 1);
         CHECK((!found.empty() && found[0].address == test.arm && found[0].identification == "Primitive Driver"));
-        found = co_await test.unit.async_find({.name = "camera"});
+        found = co_await test.unit.async_find({.name = "camera", .count = 1});
         CHECK((found.size() == 1 && found[0].address == camera.address()));
-        found = co_await test.unit.async_find({.command_code = jaus::command_code_of<jaus::set_wrench_effort>});
+        found =
+            co_await test.unit.async_find({.command_code = jaus::command_code_of<jaus::set_wrench_effort>, .count = 1});
         CHECK((found.size() == 1 && found[0].address == test.arm));
         found = co_await test.unit.async_find({.component = 99, .timeout = std::chrono::milliseconds{50}});
         CHECK(found.empty());
     });
     test.robots.stop();
     CHECK(test.until([&] { return has(disappeared, test.robots.manager()); }));
+}
+
+TEST_CASE("a search finds who appears while it goes on, and ends at its count") {
+    two_nodes test;
+    jauscat::node mine{test.context, test.options("operator")};
+    jauscat::component unit{mine, {.id = 32}};
+    mine.start();
+    unit.ready();
+    std::optional<std::vector<jauscat::found_component>> found;
+    unit.async_find({.component = 33, .timeout = std::chrono::hours{1}, .count = 1},
+                    [&](error_code error, std::vector<jauscat::found_component> all) {
+                        CHECK(!error);
+                        found = std::move(all);
+                    });
+    bool is_asked = false;
+    boost::asio::post(test.context, [&] { is_asked = true; });
+    REQUIRE(test.until([&] { return is_asked; })); // nobody is there
+    CHECK(!found);
+    jauscat::node robot{test.context, test.options("robot")};
+    jauscat::component driver{robot, {.id = 33, .name = "Primitive Driver"}};
+    robot.start();
+    driver.ready();
+    REQUIRE(test.until([&] { return found.has_value(); }));
+    REQUIRE(found->size() == 1);
+    CHECK(found->front().address == driver.address());
+    CHECK(found->front().identification == "Primitive Driver");
+}
+
+/// The component 2.1.35.1 of a node whose node manager says nothing. It says what it is, and not what it can do.
+class peer_without_manager {
+  public:
+    peer_without_manager(boost::asio::io_context& context, const std::array<std::uint16_t, 2>& ports)
+        : to_{boost::asio::ip::address_v4::loopback(), ports[0]},
+          socket_{context, {boost::asio::ip::address_v4::loopback(), ports[1]}} {
+        put(*jaus::make_message({.destination = {255, 255, 255, 255}, .source = self}, jaus::report_heartbeat_pulse{},
+                                out_));
+        receive();
+    }
+    static constexpr jaus::address self{1, 35, 1, 2};
+
+  private:
+    void put(std::span<const std::byte> message) {
+        socket_.send_to(boost::asio::buffer(message.data(), message.size()), to_);
+    }
+    void receive() {
+        socket_.async_receive(boost::asio::buffer(in_), [this](error_code error, std::size_t size) {
+            if (error) return;
+            const auto head = jaus::split(std::span{in_}.first(size)).header;
+            if (head.command_code == jaus::command_code_of<jaus::query_identification> && head.destination == self)
+                put(*jaus::make_message(
+                    {.destination = head.source, .source = self, .sequence_number = head.sequence_number},
+                    jaus::report_identification{jaus::query_type::component_identification, 0, 60001, "communicator"},
+                    out_));
+            receive();
+        });
+    }
+    boost::asio::ip::udp::endpoint to_;
+    boost::asio::ip::udp::socket socket_;
+    std::array<std::byte, 5000> in_{}, out_{};
+};
+
+TEST_CASE("a component is found that is heard itself, without a node manager") {
+    two_nodes test;
+    jauscat::node mine{test.context, test.options("operator")};
+    jauscat::component unit{mine, {.id = 32}};
+    mine.start();
+    unit.ready();
+    const peer_without_manager peer{test.context, test.ports};
+    std::optional<std::vector<jauscat::found_component>> found;
+    unit.async_find({.component = 35, .timeout = std::chrono::hours{1}, .count = 1},
+                    [&](error_code error, std::vector<jauscat::found_component> all) {
+                        CHECK(!error);
+                        found = std::move(all);
+                    });
+    REQUIRE(test.until([&] { return found.has_value(); }));
+    REQUIRE(found->size() == 1);
+    CHECK(found->front().address == peer_without_manager::self);
+    CHECK(found->front().identification == "communicator");
 }
 
 /// Each operation of a component is under way.

@@ -91,6 +91,11 @@ a_coroutine_drives() { # drive
     [ "$(grep -c "reported: 50.0015 %" "$work/out.log")" -eq 3 ] || fail "not three reports"
     kill "$server" && wait "$server"
     expect 1 "no answer in time" "$bin/drive" "${config[@]}" --this a
+    # A peer that never acknowledges is driven by its reports.
+    start "silent peer: ready" python3 "$(dirname "$0")/../nodes/silent_peer.py" 39778 39777 obeys 1
+    expect 0 "Set Wrench Effort: no answer in time; the reports show" "$bin/drive" "${config[@]}" --this a
+    grep -qFx "in force: 50.0015 %" "$work/out.log" || fail "its report is not shown"
+    [ "$(grep -c "reported: 50.0015 %" "$work/out.log")" -eq 3 ] || fail "not three reports of the peer"
 }
 a_bridge_carries() { # bridge
     local config=(--config "$bin/JausConfig.xml") ocu=("$bin/ocu" --config "$bin/JausConfig.xml" --this a --to 2.1.33.1)

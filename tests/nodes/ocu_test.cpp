@@ -99,6 +99,13 @@ TEST_CASE("a unit detects by the report whether a peer that never acknowledges h
             CHECK(unit.has("report_compared", {{"equal", manner == "obeys"}, {"acknowledged", false}}));
         CHECK(!unit.has("release_unanswered"));
         CHECK(unit.has("control_released", {{"address", "2.2.33.1"}, {"acknowledged", false}}));
+        auto& sender = r.ocu(
+            code, {"--wait", "60", "--timeout", "50", "--send", "set_wrench_effort", "propulsive_linear_effort_x=-25"});
+        CHECK(sender.has("not_acknowledged", {{"code", set_wrench_effort}}));
+        if (manner != "mute")
+            CHECK(sender.has("report_compared", {{"equal", manner == "obeys"}, {"acknowledged", false}}));
+        auto& other = r.ocu(1, {"--wait", "60", "--timeout", "50", "--send", "standby"}); // nothing reports it
+        CHECK(other.wait_for("no_answer")["text"].get<std::string>().find("--unacknowledged") != std::string::npos);
         silent.kill();
     }
 }

@@ -120,6 +120,7 @@ struct find_options {
     std::string_view name{};                   ///< a part of its identification
     std::uint16_t command_code{};              ///< of a message that it takes or sends; 0: any
     duration timeout{std::chrono::seconds{1}}; ///< then the search ends with those that have answered
+    std::size_t count{};                       ///< it ends when so many have answered; 0: at its timeout
 };
 /// A component that has answered.
 struct found_component {

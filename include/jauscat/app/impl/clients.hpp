@@ -47,6 +47,8 @@ struct subscription_state {
     std::uint64_t dropped{};
 };
 
+class search;
+
 /// A part of a component, see jaus::component_part.
 class clients {
   public:
@@ -73,6 +75,11 @@ class clients {
                  std::shared_ptr<subscription_state> made);
     void request_event(const jaus::address& of, bytes request, std::shared_ptr<subscription_state> made);
     void end(subscription_state& ended);
+    /// Those in `heard` are there; later ones come through `appeared`.
+    void begin(const std::shared_ptr<search>& made, std::span<const jaus::address> heard);
+    void appeared(const jaus::address& who);
+    /// From the first attempt of a message until it has failed.
+    [[nodiscard]] duration patience() const noexcept { return retry_.total(); }
     void control(const control_options& options, std::shared_ptr<control_state> made);
     /// Ends what cancelled operations have begun.
     void end_cancelled();
@@ -151,6 +158,7 @@ class clients {
     std::uint16_t last_number_; ///< of large data sets, and of questions that are not acknowledged
     std::list<held> held_{};
     std::vector<std::shared_ptr<subscription_state>> subscriptions_{};
+    std::vector<std::shared_ptr<search>> searches_{};
 };
 
 } // namespace app

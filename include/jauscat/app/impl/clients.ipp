@@ -4,6 +4,7 @@
 #include <jauscat/app/impl/clients.hpp>
 #include <jauscat/app/impl/component_state.hpp>
 #include <jauscat/app/impl/node_state.hpp>
+#include <jauscat/app/impl/search.hpp>
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/net/now.hpp>
 #include <jauscat/text/message_name.hpp>
@@ -228,7 +229,18 @@ JAUSCAT_DECL void clients::on_time(time_point now, jaus::message_sink out) {
         one.repeated_at = saturating_add(now, retry_.interval);
         static_cast<void>(component_.node().net().send(one.head, one.message)); // its timeout ends it
     }
+    for (const auto& one : std::vector{searches_}) one->on_time(now);
+    std::erase_if(searches_, [](const auto& one) { return one->done()->is_done(); });
     std::erase_if(questions_, [](const question& one) { return one.done->is_done(); });
+}
+
+JAUSCAT_DECL void clients::begin(const std::shared_ptr<search>& made, std::span<const jaus::address> heard) {
+    searches_.push_back(made);
+    for (const auto& who : heard) made->heard(who);
+}
+JAUSCAT_DECL void clients::appeared(const jaus::address& who) {
+    for (const auto& one : std::vector{searches_})
+        if (!one->done()->is_done()) one->heard(who);
 }
 
 JAUSCAT_DECL std::optional<time_point> clients::next_event() const {
@@ -243,6 +255,7 @@ JAUSCAT_DECL std::optional<time_point> clients::next_event() const {
         consider(one.until.at());
         if (one.made != 0) consider(one.repeated_at);
     }
+    for (const auto& one : searches_) consider(one->next_event());
     return first;
 }
 
@@ -255,6 +268,7 @@ JAUSCAT_DECL void clients::on_lost(const jaus::address& who) {
 
 JAUSCAT_DECL void clients::end_all(error_code why, time_point now, jaus::message_sink out) noexcept {
     for (auto& one : std::exchange(sent_, {})) one.done->complete(why);
+    for (const auto& one : std::exchange(searches_, {})) one->done()->complete(why, {});
     for (auto& one : std::exchange(questions_, {})) one.done->complete(why, {});
     for (const auto& one : std::exchange(subscriptions_, {})) {
         if (const auto place = std::exchange(one->place, std::nullopt)) // the next start has other places
@@ -278,6 +292,10 @@ JAUSCAT_DECL void clients::end_cancelled() {
         return true;
     };
     std::erase_if(sent_, forget);
+    std::erase_if(searches_, [&](const auto& one) {
+        if (is_cancelled(one->done())) one->end_questions();
+        return is_cancelled(one->done());
+    });
     for (const auto& one : questions_)
         if (is_cancelled(one.done)) note_ended(one);
     std::erase_if(questions_, forget);
@@ -302,6 +320,7 @@ JAUSCAT_DECL void clients::cancel() {
     for (const auto& one : held_) controls.push_back(one.state);
     for (const auto& one : controls)
         if (const auto asked = one->asked) asked->cancel();
+    for (const auto& one : std::vector{searches_}) one->done()->cancel();
     for (const auto& one : plain) one->cancel();
     for (const auto& one : with_report) one->cancel();
 }

@@ -199,6 +199,7 @@ JAUSCAT_DECL component_state::component_state(node_state& node, const jaus::addr
 JAUSCAT_DECL component_state::~component_state() = default;
 
 JAUSCAT_DECL clients& component_state::others() noexcept { return core_->others; }
+JAUSCAT_DECL void component_state::on_appeared(const jaus::address& who) { core_->others.appeared(who); }
 JAUSCAT_DECL void component_state::on_large_delivered(const jaus::header& head, jaus::delivered what) {
     core_->others.on_delivered(head, what, true);
 }

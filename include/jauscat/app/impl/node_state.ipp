@@ -55,6 +55,8 @@ JAUSCAT_DECL net::jaus_node_options node_state::net_options() {
     net.on_sent = options_.on_sent;
     net.on_message = options_.on_handled;
     net.appeared = [this](const jaus::address& who) {
+        for (const auto& one : components_)
+            if (one->is_running()) one->on_appeared(who);
         if (on_appeared) on_appeared(who);
     };
     net.disappeared = [this](const jaus::address& who) {

@@ -1,19 +1,15 @@
-// The search for components.
+// The functions of search.
 #pragma once
 #include <jauscat/app/impl/clients.hpp>
 #include <jauscat/app/impl/node_state.hpp>
+#include <jauscat/app/impl/search.hpp>
 #include <jauscat/net/now.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
 
 #include <algorithm>
 #include <bit>
-#include <cstdint>
 #include <functional>
-#include <memory>
-#include <string>
-#include <unordered_set>
 #include <utility>
-#include <vector>
 
 namespace jauscat {
 inline namespace JAUSCAT_WAY {
@@ -29,145 +25,135 @@ class function_operation final : public operation<bytes> {
     std::function<void(error_code, bytes)> f_;
 };
 
-/// Ends when each question is answered or its timeout is over.
-class search : public std::enable_shared_from_this<search> {
-  public:
-    /// `name` is that of the options, which may refer to it no longer.
-    search(const node_state& node, clients& by, const jaus::address& self, const find_options& options,
-           std::string name, operation_ptr<std::vector<found_component>> done)
-        : node_{node},
-          by_{by},
-          self_{self},
-          options_{options},
-          name_{std::move(name)},
-          until_{net::now(), options.timeout},
-          done_{std::move(done)} {}
+JAUSCAT_DECL search::search(component_state& component, clients& by, const find_options& options, std::string name,
+                            operation_ptr<std::vector<found_component>> done)
+    : component_{component},
+      by_{by},
+      options_{options},
+      name_{std::move(name)},
+      until_{net::now(), options.timeout},
+      done_{std::move(done)} {}
 
-    void start(const std::vector<jaus::address>& managers) {
-        for (const auto& manager : managers) sources_.push_back({manager});
-        ++open_; // until all have been asked
-        for (std::size_t i = 0; i != sources_.size(); ++i)
-            ask(sources_[i].manager, jaus::query_configuration{jaus::query_field::node_configuration},
-                [i](search& mine, const jaus::report_configuration& report) { mine.found(mine.sources_[i], report); });
-        close();
-    }
-
-  private:
-    // So that none can stop the node, or the search of the others.
-    static constexpr std::size_t most_of_one = 1024; ///< components of one node manager
-    static constexpr std::size_t most_asked = 16;    ///< of them at a time
-
-    struct source {
-        jaus::address manager{};
-        std::vector<std::size_t> waiting{}; ///< places in all_
-        std::size_t questions{};            ///< that are not answered
-        bool is_asking{};
+template <class Query> inline void search::ask(const jaus::address& whom, const Query& query, auto use, auto over) {
+    std::vector<std::byte> body;
+    if (encode_into(body, query) != wire::errc::ok) return;
+    auto answered = [weak = weak_from_this(), use, over](error_code error, bytes answer) {
+        const auto mine = weak.lock();
+        if (mine == nullptr || mine->done_->is_done()) return;
+        wire::errc why{};
+        const owned<jaus::report_of<Query>> report{answer, why};
+        if (!error && why == wire::errc::ok) use(*mine, *report);
+        over(*mine);
     };
+    const auto question = std::make_shared<function_operation>(std::move(answered));
+    std::erase_if(questions_, [](const auto& one) { return one->is_done(); });
+    questions_.push_back(question);
+    by_.ask(whom, {jaus::command_code_of<Query>, jaus::command_code_of<jaus::report_of<Query>>}, std::move(body),
+            {.timeout = std::min(until_.remaining(net::now()), by_.patience()), .acknowledged = false}, question);
+}
 
-    /// `use` gets the report, if one comes; `over` is called then.
-    template <class Query>
-    void ask(const jaus::address& whom, const Query& query, auto use, std::function<void(search&)> over = {}) {
-        std::vector<std::byte> body;
-        if (encode_into(body, query) != wire::errc::ok) return;
-        ++open_;
-        auto answered = [mine = shared_from_this(), use, over = std::move(over)](error_code error, bytes answer) {
-            wire::errc why{};
-            const owned<jaus::report_of<Query>> report{answer, why};
-            if (error == boost::asio::error::operation_aborted) mine->done_->complete(error, {});
-            if (!error && why == wire::errc::ok) use(*mine, *report);
-            if (over && !mine->done_->is_done()) over(*mine);
-            mine->close();
+JAUSCAT_DECL void search::heard(const jaus::address& who) {
+    const jaus::address manager{1, 1, who.node, who.subsystem};
+    auto found = std::ranges::find(sources_, manager, &source::manager);
+    if (found == sources_.end()) {
+        found = sources_.insert(sources_.end(), {.manager = manager});
+        const auto of = static_cast<std::size_t>(found - sources_.begin());
+        const auto configured = [of](search& mine, const jaus::report_configuration& report) {
+            for (const auto& node : report.node)
+                for (const auto& one : node.component)
+                    mine.add(of,
+                             {one.instance_id, one.component_id, node.node_id, mine.sources_[of].manager.subsystem});
+            if (const auto left_out = std::exchange(mine.sources_[of].left_out, std::size_t{}); left_out != 0)
+                mine.component_.node().log(net::to_jausip(mine.sources_[of].manager) + " reports " +
+                                           std::to_string(left_out + most_of_one) + " components: only " +
+                                           std::to_string(most_of_one) + " are asked");
+            mine.ask_more(of);
         };
-        by_.ask(whom, {jaus::command_code_of<Query>, jaus::command_code_of<jaus::report_of<Query>>}, std::move(body),
-                {.timeout = until_.remaining(net::now()), .acknowledged = false},
-                std::make_shared<function_operation>(std::move(answered)));
+        // The node may have none: others of it are heard then.
+        if (who == manager || component_.is_routable(manager))
+            ask(manager, jaus::query_configuration{jaus::query_field::node_configuration}, configured, [](search&) {});
     }
-    void found(source& by, const jaus::report_configuration& report) {
-        std::size_t left_out = 0;
-        for (const auto& node : report.node)
-            for (const auto& one : node.component) {
-                const jaus::address who{one.instance_id, one.component_id, node.node_id, by.manager.subsystem};
-                const bool is_wanted = options_.component == 0 || options_.component == who.component;
-                if (!is_wanted || who == self_ || known_.contains(std::bit_cast<std::uint32_t>(who))) continue;
-                if (by.waiting.size() == most_of_one) {
-                    ++left_out;
-                    continue;
-                }
-                known_.insert(std::bit_cast<std::uint32_t>(who));
-                by.waiting.push_back(all_.size());
-                all_.push_back({.address = who});
-            }
-        if (left_out != 0)
-            node_.log(net::to_jausip(by.manager) + " reports " + std::to_string(left_out + most_of_one) +
-                      " components: only " + std::to_string(most_of_one) + " are asked");
-        std::ranges::reverse(by.waiting);
-        ask_more(by);
-    }
-    void ask_more(source& by) {
-        if (std::exchange(by.is_asking, true)) return; // a question that cannot be sent ends at once
-        while (!by.waiting.empty() && by.questions <= 2 * (most_asked - 1)) {
-            const auto place = by.waiting.back();
-            by.waiting.pop_back();
-            by.questions += 2;
-            const auto answered = [&by](search& mine) {
-                --by.questions;
-                mine.ask_more(by);
-            };
-            ask(
-                all_[place].address, jaus::query_identification{jaus::query_type::component_identification},
-                [place](search& mine, const jaus::report_identification& is) {
-                    mine.all_[place].identification = is.identification;
-                },
-                answered);
-            ask(
-                all_[place].address, jaus::query_services{},
-                [place](search& mine, const jaus::report_services& has) {
-                    for (const auto& service : has.service) {
-                        for (const auto& message : service.input_message)
-                            mine.all_[place].takes.push_back(message.command_code);
-                        for (const auto& message : service.output_message)
-                            mine.all_[place].sends.push_back(message.command_code);
-                    }
-                },
-                answered);
-        }
-        by.is_asking = false;
-    }
-    void close() {
-        if (--open_ != 0) return;
-        std::erase_if(all_, [&](const found_component& one) {
-            const auto has = [&](const auto& codes) {
-                return std::ranges::find(codes, options_.command_code) != codes.end();
-            };
-            if (one.takes.empty()) return true; // it has not answered
-            if (one.identification.find(name_) == std::string::npos) return true;
-            return options_.command_code != 0 && !has(one.takes) && !has(one.sends);
-        });
-        done_->complete({}, std::move(all_));
-    }
+    if (who == manager || done_->is_done()) return;
+    const auto of = static_cast<std::size_t>(std::ranges::find(sources_, manager, &source::manager) - sources_.begin());
+    add(of, who);
+    ask_more(of);
+}
 
-    const node_state& node_;
-    clients& by_;
-    jaus::address self_;
-    find_options options_;
-    std::string name_;
-    deadline until_;
-    operation_ptr<std::vector<found_component>> done_;
-    std::vector<found_component> all_{};
-    std::vector<source> sources_{};
-    std::unordered_set<std::uint32_t> known_{};
-    std::size_t open_{};
-};
+JAUSCAT_DECL void search::add(std::size_t of, const jaus::address& who) {
+    const bool is_wanted = options_.component == 0 || options_.component == who.component;
+    if (!is_wanted || who == component_.self() || known_.contains(std::bit_cast<std::uint32_t>(who))) return;
+    auto& by = sources_[of];
+    if (by.waiting.size() == most_of_one) return void(++by.left_out);
+    known_.insert(std::bit_cast<std::uint32_t>(who));
+    by.waiting.insert(by.waiting.begin(), all_.size());
+    all_.push_back({.it = {.address = who}});
+}
+
+JAUSCAT_DECL void search::ask_more(std::size_t of) {
+    if (std::exchange(sources_[of].is_asking, true)) return; // a question that cannot be sent ends at once
+    while (!done_->is_done() && !sources_[of].waiting.empty() && sources_[of].asked < most_asked) {
+        const auto place = sources_[of].waiting.back();
+        sources_[of].waiting.pop_back();
+        ++sources_[of].asked;
+        const auto whom = all_[place].it.address;
+        const auto over = [of, place](search& mine) {
+            auto& one = mine.all_[place];
+            if (--one.questions != 0) return;
+            --mine.sources_[of].asked;
+            if (mine.fits(one) && ++mine.fitting_ == mine.options_.count) return mine.finish();
+            mine.ask_more(of);
+        };
+        ask(
+            whom, jaus::query_identification{jaus::query_type::component_identification},
+            [place](search& mine, const jaus::report_identification& is) {
+                mine.all_[place].has_answered = true;
+                mine.all_[place].it.identification = is.identification;
+            },
+            over);
+        ask(
+            whom, jaus::query_services{},
+            [place](search& mine, const jaus::report_services& has) {
+                auto& one = mine.all_[place];
+                one.has_answered = true;
+                for (const auto& service : has.service) {
+                    for (const auto& message : service.input_message) one.it.takes.push_back(message.command_code);
+                    for (const auto& message : service.output_message) one.it.sends.push_back(message.command_code);
+                }
+            },
+            over);
+    }
+    sources_[of].is_asking = false;
+}
+
+JAUSCAT_DECL bool search::fits(const candidate& one) const {
+    const auto has = [&](const auto& codes) { return std::ranges::find(codes, options_.command_code) != codes.end(); };
+    return one.has_answered && one.it.identification.find(name_) != std::string::npos &&
+           (options_.command_code == 0 || has(one.it.takes) || has(one.it.sends));
+}
+
+JAUSCAT_DECL void search::on_time(time_point now) {
+    if (until_.is_reached(now)) finish();
+}
+
+JAUSCAT_DECL void search::finish() {
+    std::vector<found_component> found;
+    for (auto& one : all_)
+        if (fits(one)) found.push_back(std::move(one.it));
+    done_->complete({}, std::move(found));
+    end_questions();
+}
+
+JAUSCAT_DECL void search::end_questions() {
+    for (const auto& one : std::exchange(questions_, {})) one->complete(boost::asio::error::operation_aborted, {});
+}
 
 JAUSCAT_DECL void begin_find(const std::shared_ptr<component_state>& by, const find_options& options,
                              const operation_ptr<std::vector<found_component>>& done) {
     enqueue(by, done, [by, options, name = std::string{options.name}, done](clients& all) {
-        std::vector<jaus::address> managers{by->node().net().manager()};
+        std::vector<jaus::address> heard{by->node().net().manager()};
         if (const auto* const present = by->node().net().present(); present != nullptr)
-            present->for_each([&](const jaus::address& who) {
-                if (jaus::is_node_manager(who) && who != managers.front()) managers.push_back(who);
-            });
-        std::make_shared<search>(by->node(), all, by->self(), options, name, done)->start(managers);
+            present->for_each([&](const jaus::address& who) { heard.push_back(who); });
+        all.begin(std::make_shared<search>(*by, all, options, name, done), heard);
     });
 }
 
