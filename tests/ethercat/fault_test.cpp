@@ -436,11 +436,13 @@ TEST_CASE("an upload whose size and data differ is refused") {
         bytes into(64);
         return b.upload(into);
     };
-    CHECK(upload_announced_as("1b000000").error() == master_error{.code = master_errc::size_mismatch, .bytes = 27});
+    CHECK(upload_announced_as("1b000000").error() ==
+          master_error{.code = master_errc::size_mismatch, .bytes = 27, .found_bytes = 28});
     // More than was sent: the master requests the rest, which the slave does not have.
     CHECK(upload_announced_as("1d000000").error() ==
           master_error{.code = master_errc::sdo_abort, .abort = abort_code::command_specifier});
-    CHECK(upload_announced_as("ffffffff").error() == master_error{.code = master_errc::data_too_long, .bytes = 64});
+    CHECK(upload_announced_as("ffffffff").error() ==
+          master_error{.code = master_errc::data_too_long, .bytes = 64, .found_bytes = 0xFFFFFFFF});
     CHECK(upload_announced_as("1c000000"));
 }
 

@@ -178,9 +178,12 @@ TEST_CASE("an upload that exceeds the caller's buffer is an error") {
     bench b;
     REQUIRE(b.bring_up());
     bytes small(27);
-    CHECK(b.upload(0x1AF5, 26, small).error() == master_error{.code = master_errc::data_too_long, .bytes = 27});
+    const auto too_long = [](std::uint32_t bytes, std::uint32_t found) {
+        return master_error{.code = master_errc::data_too_long, .bytes = bytes, .found_bytes = found};
+    };
+    CHECK(b.upload(0x1AF5, 26, small).error() == too_long(27, 28));
     bytes none;
-    CHECK(b.upload(0x2002, 0, none).error() == master_error{.code = master_errc::data_too_long, .bytes = 0});
+    CHECK(b.upload(0x2002, 0, none).error() == too_long(0, 1));
 }
 
 TEST_CASE("an abort is reported with code and text, and the next transfer works") {

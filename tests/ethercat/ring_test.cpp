@@ -787,7 +787,9 @@ TEST_CASE("PDOs of more entries than the limit of the whole job are refused") {
         }
     };
     REQUIRE(b.up(0, 1));
-    CHECK(b.run(configure{1}).error() == master_error{.code = master_errc::too_many_entries});
+    const auto error = b.run(configure{1}).error();
+    CHECK(error.code == master_errc::too_many_entries);
+    CHECK(error.index == 0x1600);
     CHECK(answers < 2 * max_process_objects);
     b.link.on_way_back = {};
     CHECK(b.run(configure{1})); // the SII was given back, and the mailbox is free
@@ -820,7 +822,7 @@ TEST_CASE("an SII with more SyncManagers than registers is refused") {
     const auto listed = [](unsigned word) -> std::string {
         if (word == 0x40) return "2900 a000"; // SyncM: 40 of them
         if (word == 0x42 + 160) return "ffff 0000";
-        return word % 4 == 2 ? "0011 0400" : word > 0x42 + 32 * 4 ? "24000103" : "00000000"; // number 32 has outputs
+        return word % 4 == 2 ? "0011 0400" : word > 0x42 + 32 * 4 ? "24000103" : "02000000"; // number 32 has outputs
     };
     b.link.on_way_back = [&](bytes& frame) {
         mutable_frame_view view;

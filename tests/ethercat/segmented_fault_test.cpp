@@ -81,38 +81,44 @@ TEST_CASE("an upload whose segments do not have the announced size is refused") 
         b.before_read = {};
         return result;
     };
-    const master_error mismatch{.code = master_errc::size_mismatch, .bytes = 28};
-    CHECK(upload_with(std::byte{0x00}, "01") == mismatch); // the last one, five bytes early
+    const auto mismatch = [](std::uint32_t found) {
+        return master_result<std::size_t>{
+            master_error{.code = master_errc::size_mismatch, .bytes = 28, .found_bytes = found}};
+    };
+    CHECK(upload_with(std::byte{0x00}, "01") == mismatch(23)); // the last one, five bytes early
     CHECK(b.mail.size() == 4);
-    CHECK(upload_with(std::byte{0x15}, "17") == mismatch); // one byte fewer
+    CHECK(upload_with(std::byte{0x15}, "17") == mismatch(27)); // one byte fewer
     CHECK(b.mail.size() == 6);
-    CHECK(upload_with(std::byte{0x15}, "13") == mismatch); // one byte more
-    CHECK(upload_with(std::byte{0x15}, "12") == mismatch); // one byte more, and another segment
+    CHECK(upload_with(std::byte{0x15}, "13") == mismatch(29)); // one byte more
+    CHECK(upload_with(std::byte{0x15}, "12") == mismatch(29)); // one byte more, and another segment
     CHECK(b.mail.size() == 7);
     CHECK(b.mail.back().substr(18) == "00 20 80 26 69 01 10 00 07 06");
-    CHECK(upload_with(std::byte{0x15}, "1e") == mismatch); // none, and another segment: it would never end
+    CHECK(upload_with(std::byte{0x15}, "1e") == mismatch(23)); // none, and another segment: it would never end
     CHECK(upload_with(std::byte{0x41}, "41 2669 01 1b000000").error() ==
-          master_error{.code = master_errc::size_mismatch, .bytes = 27});
+          master_error{.code = master_errc::size_mismatch, .bytes = 27, .found_bytes = 28});
 }
 
 TEST_CASE("a segmented upload beyond the buffer is read to its end, and an endless one is aborted") {
     segmented_bench b{24};
     b.set(counting(28));
     bytes small(27);
-    const master_error too_long{.code = master_errc::data_too_long, .bytes = 27};
-    CHECK(b.upload(small) == too_long);
+    const auto too_long = [](std::uint32_t found) {
+        return master_result<std::size_t>{
+            master_error{.code = master_errc::data_too_long, .bytes = 27, .found_bytes = found}};
+    };
+    CHECK(b.upload(small) == too_long(28));
     CHECK(b.mail.size() == 6);
     CHECK(b.mail.back().substr(18, 8) == "00 30 15"); // the last segment: the slave's transfer is complete
     bytes none{};
-    CHECK(b.upload(none).error() == master_error{.code = master_errc::data_too_long});
+    CHECK(b.upload(none).error() == master_error{.code = master_errc::data_too_long, .found_bytes = 28});
     CHECK(b.mail.size() == 6);
 
     b.before_read = instead_of(std::byte{0x00}, "80 2669 01 22000008"); // the slave abandons it in between
-    CHECK(b.upload(small) == too_long);
+    CHECK(b.upload(small) == too_long(28));
     CHECK(b.mail.size() == 4);
 
     b.before_read = instead_of(std::byte{0x41}, "41 2669 01 01000100");
-    CHECK(b.upload(small) == too_long);
+    CHECK(b.upload(small) == too_long(65537));
     CHECK(b.mail.size() == 3);
     CHECK(b.mail.back().substr(18) == "00 20 80 26 69 01 05 00 04 05");
     bytes into(28);
@@ -129,9 +135,13 @@ TEST_CASE("an upload of another size than expected is refused") {
                 b.link.run(b.master, jauscat::ethercat::upload{0x1001, b.index, b.subindex, into, {.size = expected}}));
         };
         CHECK(upload(size) == master_result<std::size_t>{size});
-        const master_error mismatch{.code = master_errc::size_mismatch, .bytes = static_cast<std::uint32_t>(size)};
-        CHECK(upload(size + 1) == mismatch);
-        CHECK(upload(size - 1) == mismatch);
+        const auto mismatch = [size](std::size_t expected) {
+            return master_result<std::size_t>{master_error{.code = master_errc::size_mismatch,
+                                                           .bytes = static_cast<std::uint32_t>(expected),
+                                                           .found_bytes = static_cast<std::uint32_t>(size)}};
+        };
+        CHECK(upload(size + 1) == mismatch(size + 1));
+        CHECK(upload(size - 1) == mismatch(size - 1));
         CHECK(upload(size) == master_result<std::size_t>{size});
     }
 }

@@ -7,6 +7,7 @@
 #include <jauscat/ethercat/master/object_descriptions.hpp>
 #include <jauscat/ethercat/master/sdo_information.hpp>
 #include <jauscat/net/now.hpp>
+#include <jauscat/text/master_error_text.hpp>
 
 #include <array>
 #include <string_view>
@@ -23,10 +24,7 @@ std::string reason_text(const ethercat::master_error& error) {
     if (error.code == master_errc::sdo_abort && error.abort != ethercat::abort_code::none)
         return "abort code " + hex(static_cast<std::uint32_t>(error.abort), 8) + ": " +
                std::string{describe(error.abort)};
-    std::string text{describe(error)};
-    if (const auto reason = describe_reason(error); !reason.empty())
-        text += ": " + std::string{reason} + " (" + hex(reason_code(error), 4) + ")";
-    return text;
+    return jauscat::text::explain(error);
 }
 
 void set_up_mailbox(ring& on, std::uint16_t position, const ethercat::sii_mailbox& mailbox) {

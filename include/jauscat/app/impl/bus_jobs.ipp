@@ -3,6 +3,7 @@
 #include <jauscat/app/impl/bus_jobs.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
+#include <jauscat/text/master_error_text.hpp>
 
 #include <algorithm>
 #include <array>
@@ -317,7 +318,8 @@ class find_job final : public bus_job {
             const auto& objects = slave->named->start_up;
             if (const auto at = master.error().command; writes_ && at < objects.size() && slave->why != error)
                 bus.log(name_of(slave->info) + " does not take its start-up object " +
-                        numbered("%04Xh:", objects[at].index) + std::to_string(objects[at].subindex));
+                        numbered("%04Xh:", objects[at].index) + std::to_string(objects[at].subindex) + ": " +
+                        error.message());
             return bus.note_unprepared(*slave, error);
         }
         if (!writes_) {
@@ -486,7 +488,11 @@ class change_job final : public bus_job {
         const auto error = error_of(master.error());
         if (slave == nullptr) return fail(bus_errc::no_such_slave);
         bus.note_outcome(*slave, error);
-        if (error) return fail(error);
+        if (error) {
+            if (step_ == step::configure)
+                bus.log(name_of(slave->info) + " is not configured: " + text::explain(master.error()));
+            return fail(error);
+        }
         switch (step_) {
         case step::look:
             if (const auto al = master.result<ethercat::check>()) {

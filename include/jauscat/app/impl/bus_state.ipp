@@ -38,6 +38,7 @@ JAUSCAT_DECL error_code error_of(const ethercat::master_error& error) noexcept {
     case sii_malformed:
     case no_fmmu:
     case too_many_managers:
+    case no_direction:
     case too_many_entries:
     case image_full:
     case watchdog_range:

@@ -10,44 +10,46 @@
 
 namespace jauscat::ethercat {
 
-/// Each comment names the members of master_error that hold more, if any.
+/// Each comment names the members of master_error that hold more, if any. `configure` and init commands also name the
+/// object of a transfer that has failed.
 enum class master_errc : std::uint8_t {
     ok,
-    busy,               ///< another job runs: this one was not started
-    not_sent,           ///< the link did not take a frame
-    no_reply,           ///< frames do not come back
-    timeout,            ///< the caller's deadline passed
-    no_slave,           ///< no slave at that position; slaves
-    wrong_station,      ///< no slave has that station address; station
-    duplicate_station,  ///< several slaves answer to one address; working_counter
-    working_counter,    ///< the slave did not execute a command; working_counter
-    sii_busy,           ///< the SII memory did not get ready
-    sii_error,          ///< the SII memory did not execute a read; sii_word
-    sii_malformed,      ///< the categories of the SII do not end, or a length is not true; sii_word
-    wrong_identity,     ///< the slave is not the one that was expected; product
-    no_mailbox,         ///< the slave has no mailbox a master could use
-    no_coe,             ///< the slave's mailbox carries no CoE
-    al_error,           ///< the slave refused a state; al_status
-    state_timeout,      ///< the slave did not reach a state; state
-    too_many_slaves,    ///< more slaves than the master has memory for
-    no_fmmu,            ///< the slave has fewer FMMUs than it has process data; fmmus
-    too_many_managers,  ///< more than four SyncManagers carry process data
-    too_many_entries,   ///< more PDOs and entries than `max_process_objects`
-    image_full,         ///< the slave's process data are larger than one frame carries; bytes
-    watchdog_range,     ///< a watchdog time that the registers cannot express
-    watchdog_not_kept,  ///< the slave does not keep its watchdog's settings; watchdog_divider, watchdog_units
-    object_not_kept,    ///< a start-up object of a process part reads back differently; command
-    not_configured,     ///< the slave's process data and watchdog are not set: OP is not requested
-    mailbox_full,       ///< the slave does not read its mailbox
-    mailbox_timeout,    ///< the slave took the request and did not answer
-    mailbox_error,      ///< the slave refused the message; mailbox
-    unexpected_reply,   ///< the answer was to something else; specifier
-    sdo_abort,          ///< the slave aborted the transfer; abort, none where it gave no code
-    clear_refused,      ///< the slave refused a 0 in subindex 0, which was to come first; abort
-    toggle_bit,         ///< the answer to a segment is not the one that is due
-    size_mismatch,      ///< more or less data than the slave announced, or not `upload_options::size`; bytes
-    data_too_long,      ///< the data do not fit the buffer; bytes
-    fragment_missing,   ///< a part of an answer in fragments did not come; fragments
+    busy,              ///< another job runs: this one was not started
+    not_sent,          ///< the link did not take a frame
+    no_reply,          ///< frames do not come back
+    timeout,           ///< the caller's deadline passed
+    no_slave,          ///< no slave at that position; slaves
+    wrong_station,     ///< no slave has that station address; station
+    duplicate_station, ///< several slaves answer to one address; working_counter
+    working_counter,   ///< the slave did not execute a command; working_counter
+    sii_busy,          ///< the SII memory did not get ready
+    sii_error,         ///< the SII memory did not execute a read; sii_word
+    sii_malformed,     ///< the categories of the SII do not end, or a length is not true; sii_word
+    wrong_identity,    ///< the slave is not the one that was expected; product
+    no_mailbox,        ///< the slave has no mailbox a master could use
+    no_coe,            ///< the slave's mailbox carries no CoE
+    al_error,          ///< the slave refused a state; al_status
+    state_timeout,     ///< the slave did not reach a state; state
+    too_many_slaves,   ///< more slaves than the master has memory for
+    no_fmmu,           ///< the slave has fewer FMMUs than it has process data; fmmus
+    too_many_managers, ///< more than 14 SyncManagers carry process data
+    no_direction,      ///< nothing says whether a SyncManager's process data are outputs or inputs; sync_manager
+    too_many_entries,  ///< more PDOs and entries than `max_process_objects`
+    image_full,        ///< the slave's process data are larger than one frame carries; bytes
+    watchdog_range,    ///< a watchdog time that the registers cannot express
+    watchdog_not_kept, ///< the slave does not keep its watchdog's settings; watchdog_divider, watchdog_units
+    object_not_kept,   ///< a start-up object of a process part reads back differently; command
+    not_configured,    ///< the slave's process data and watchdog are not set: OP is not requested
+    mailbox_full,      ///< the slave does not read its mailbox
+    mailbox_timeout,   ///< the slave took the request and did not answer
+    mailbox_error,     ///< the slave refused the message; mailbox
+    unexpected_reply,  ///< the answer was to something else; specifier
+    sdo_abort,         ///< the slave aborted the transfer; abort, none where it gave no code
+    clear_refused,     ///< the slave refused a 0 in subindex 0, which was to come first; abort
+    toggle_bit,        ///< the answer to a segment is not the one that is due
+    size_mismatch,    ///< more or less data than the slave announced, or not `upload_options::size`; bytes, found_bytes
+    data_too_long,    ///< the data do not fit the buffer; bytes, found_bytes
+    fragment_missing, ///< a part of an answer in fragments did not come; fragments
     too_many_fragments, ///< more fragments than the buffer can need; fragments
     no_clock,           ///< no slave has a distributed clock
     clock_topology,  ///< the open ports and the order of the slaves make no tree with a clock at each branch; station
@@ -79,7 +81,9 @@ enum class master_errc : std::uint8_t {
     case master_errc::state_timeout: return "the slave did not reach the state in time: allow more time or reset it";
     case master_errc::too_many_slaves: return "the master has no memory for another slave: give it more records";
     case master_errc::no_fmmu: return "the slave has too few FMMUs for its process data: it cannot be mapped";
-    case master_errc::too_many_managers: return "the slave spreads its process data over more than four SyncManagers";
+    case master_errc::too_many_managers: return "the slave spreads its process data over more than 14 SyncManagers";
+    case master_errc::no_direction:
+        return "nothing says whether a SyncManager's process data are outputs or inputs: check the slave's SII";
     case master_errc::too_many_entries:
         return "the slave's process data have more than 4096 PDOs and entries: map fewer, or check the slave";
     case master_errc::image_full: return "the slave's process data do not fit one frame: map fewer PDOs";
@@ -124,13 +128,17 @@ struct master_error {
     std::uint16_t working_counter{};  ///< of the command: how many slaves have executed it
     std::uint16_t slaves{};           ///< slaves in the ring
     std::uint16_t command{};          ///< index of the init command
+    std::uint16_t index{};            ///< the object; 0: the error is about none
+    std::uint8_t subindex{};          ///< of it
     std::uint16_t fmmus{};            ///< FMMUs that the process data need
+    std::uint8_t sync_manager{};      ///< number of the SyncManager
     std::uint16_t watchdog_divider{}; ///< that the slave has
     std::uint16_t watchdog_units{};   ///< that the slave has
     abort_code abort{};               ///< the slave's reason
     std::uint32_t product{};          ///< product code of the slave
     std::uint32_t sii_word{};         ///< word address in the SII
-    std::uint32_t bytes{}; ///< image_full: of the process data; size_mismatch: announced; data_too_long: of the buffer
+    std::uint32_t bytes{}; ///< image_full: of the process data; size_mismatch: expected; data_too_long: of the buffer
+    std::uint32_t found_bytes{}; ///< of the object, or as many of it as have come
     std::uint32_t nanoseconds{}; ///< clock_delay: of the cable; clock_unsettled: from the reference clock
     std::uint32_t fragments{};   ///< that should have been left; too_many_fragments: that are left
 

@@ -26,12 +26,9 @@ namespace jauscat::ethercat {
 /// datagrams of the present step and `reply` takes their return. Stays in place while it runs.
 class process_setup {
   public:
-    /// At most, of a request: bytes and datagrams.
-    static constexpr std::size_t request_size() noexcept {
-        return datagram_overhead + max_fmmus * esc_registers::fmmu.size +
-               sii_survey::capacity * (2 * sync_manager_size + datagram_overhead + esc_registers::fmmu.size);
-    }
-    static constexpr std::size_t request_datagrams() noexcept { return 1 + 3 * sii_survey::capacity; }
+    /// At most, of the present request: bytes and datagrams.
+    [[nodiscard]] JAUSCAT_FUNCTION std::size_t request_size() const noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION std::size_t request_datagrams() const noexcept;
 
     process_setup() noexcept = default;
     /// `slave` is in PRE-OP. Its place begins at `image_end`, where that of all other slaves ends, and moves it. It
@@ -74,6 +71,8 @@ class process_setup {
     // Fails once the slave's application has the SII again.
     JAUSCAT_FUNCTION progress give_back(const master_error& why) noexcept;
     JAUSCAT_FUNCTION progress survey(bool sizes) noexcept;
+    // With the object that is read.
+    [[nodiscard]] JAUSCAT_FUNCTION master_error about_object(master_error error) noexcept;
 
     // CoE: every PDO of every SyncManager, and every entry of every PDO.
     JAUSCAT_FUNCTION progress next_manager() noexcept;
@@ -106,8 +105,10 @@ class process_setup {
     step step_{};
 
     sii_survey survey_{};
-    bool by_coe_{};         // the slave's objects say how many bits there are, not the SII
-    std::size_t manager_{}; // whose assignment is read
+    bool by_coe_{};          // the slave's objects are to say how many bits there are
+    std::size_t manager_{};  // whose assignment is read
+    std::uint32_t by_sii_{}; // SyncManagers without an assignment object, a bit each: for them the SII says it
+    std::array<process_manager, sii_survey::capacity> by_objects_{}; // what the objects have said
 
     std::array<std::byte, 4> value_{}; // of an object
     std::uint32_t pdo_{}, pdos_left_{}, entry_{}, entries_left_{};

@@ -87,7 +87,7 @@ class sdo_transfer {
     JAUSCAT_FUNCTION reply_kind take_segment(const sdo_segment_header& segment,
                                              std::span<const std::byte> sdo) noexcept;
 
-    JAUSCAT_FUNCTION reply_kind mismatch() noexcept;
+    JAUSCAT_FUNCTION reply_kind mismatch(std::size_t last) noexcept; // bytes of the last part
 
     // Data of an upload, all of it or with more to follow. Unwanted data are read to the end as well: some slaves serve
     // nothing else before, even after an abort.

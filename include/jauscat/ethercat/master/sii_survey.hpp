@@ -13,14 +13,21 @@
 
 namespace jauscat::ethercat {
 
-/// A SyncManager that carries process data.
+/// A SyncManager that carries process data, or may do so.
 struct process_manager {
     std::uint8_t number{};
-    sii_sync_manager description{};
+    sii_sync_manager description{}; ///< use none: neither its use nor its control byte says the direction
     std::uint32_t bits{};
 
     /// Whether the master writes them.
     [[nodiscard]] bool is_output() const noexcept { return description.use == sii_sync_manager_use::outputs; }
+    /// Not switched on: an FMMU alone maps its place.
+    [[nodiscard]] bool is_virtual() const noexcept { return (description.enable & sii_enable::virtual_manager) != 0; }
+    /// It carries a PDO of outputs, or of inputs. Counts where nothing else says the direction.
+    constexpr void carries(bool outputs) noexcept {
+        if (description.use == sii_sync_manager_use::none)
+            description.use = outputs ? sii_sync_manager_use::outputs : sii_sync_manager_use::inputs;
+    }
     [[nodiscard]] std::uint32_t bytes() const noexcept { return bits / 8 + (bits % 8 != 0 ? 1 : 0); }
 };
 
@@ -31,7 +38,7 @@ inline constexpr std::uint32_t max_process_objects = 4096;
 /// runs. Errors: those of sii_read, sii_malformed, too_many_managers, too_many_entries.
 class sii_survey {
   public:
-    static constexpr std::size_t capacity = 4; ///< SyncManagers with process data
+    static constexpr std::size_t capacity = 14; ///< SyncManagers with process data: a controller has 16
 
     sii_survey() noexcept = default;
     /// With `sizes` the PDOs are read, too: a datagram pair for each entry, so only where nothing else tells the sizes.
@@ -43,6 +50,9 @@ class sii_survey {
     /// The SyncManagers that carry process data.
     [[nodiscard]] JAUSCAT_FUNCTION std::span<const process_manager> managers() const noexcept;
 
+    /// The slave does not execute LRW.
+    [[nodiscard]] bool no_lrw() const noexcept { return no_lrw_; }
+
     /// Starts with the first category.
     void begin() noexcept { read(step::category, sii_words::categories, wire::max_size<sii_category_header>); }
 
@@ -52,7 +62,7 @@ class sii_survey {
                                     const master_config& config) noexcept;
 
   private:
-    enum class step : std::uint8_t { category, sync_manager, pdo, pdo_entry };
+    enum class step : std::uint8_t { category, general, sync_manager, pdo, pdo_entry };
 
     static constexpr std::uint8_t max_managers = 32; // for which there are registers, and assignment objects
     static constexpr std::uint32_t sii_end = 0x8000; // words of the largest memory
@@ -65,6 +75,7 @@ class sii_survey {
     JAUSCAT_FUNCTION progress fail(const master_error& error) noexcept;
 
     JAUSCAT_FUNCTION progress category_read() noexcept;
+    JAUSCAT_FUNCTION progress flags_read() noexcept;
     JAUSCAT_FUNCTION progress next_category() noexcept;
 
     JAUSCAT_FUNCTION progress next_sync_manager(std::uint32_t word) noexcept;
@@ -89,10 +100,13 @@ class sii_survey {
     std::size_t count_{};
     std::uint8_t number_{}; // of the next SyncManager
     bool described_{};      // there are PDOs
+    bool no_lrw_{};
     std::uint8_t carrier_{};
     std::uint32_t entries_left_{};
     std::uint32_t objects_{};              // PDOs and entries so far
     std::array<std::uint32_t, 16> bits_{}; // of each SyncManager
+    bool is_output_{};                     // the PDOs of this category
+    std::uint16_t outputs_{}, inputs_{};   // SyncManagers with such PDOs, a bit each
     master_result<> result_{};
 };
 

@@ -30,7 +30,7 @@ class slave_setup {
     [[nodiscard]] const process_place& place() const noexcept { return setup_.place(); }
     /// At most, of the present request: bytes and datagrams.
     [[nodiscard]] JAUSCAT_FUNCTION std::size_t request_size() const noexcept;
-    static constexpr std::size_t request_datagrams() noexcept { return process_setup::request_datagrams(); }
+    [[nodiscard]] std::size_t request_datagrams() const noexcept { return uploads_ ? 1 : setup_.request_datagrams(); }
 
     JAUSCAT_FUNCTION void request(frame_builder& frame) noexcept;
     JAUSCAT_FUNCTION progress reply(replies datagrams, time_point now, const master_config& config) noexcept;

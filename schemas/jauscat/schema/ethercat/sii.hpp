@@ -182,6 +182,15 @@ struct sii_general {
     };
 };
 
+/// Bit of `sii_general::flags`: the slave does not execute LRW.
+inline constexpr std::uint8_t sii_no_lrw = 0x02;
+
+/// Bits of `sii_sync_manager::enable`.
+namespace sii_enable {
+inline constexpr std::uint8_t enabled = 0x01;
+inline constexpr std::uint8_t virtual_manager = 0x04; ///< not switched on: an FMMU alone maps what is at its place
+} // namespace sii_enable
+
 /// What a SyncManager of category SyncM is for.
 enum class sii_sync_manager_use : std::uint8_t { none = 0, mailbox_out = 1, mailbox_in = 2, outputs = 3, inputs = 4 };
 
@@ -191,8 +200,8 @@ struct sii_sync_manager {
     std::uint16_t length{};     ///< bytes
     std::uint8_t control{};     ///< as in the SyncManager's register
     std::uint8_t status{};      ///< not used
-    std::uint8_t enable{};      ///< bit 0: enabled
-    sii_sync_manager_use use{}; ///< what it is for
+    std::uint8_t enable{};      ///< bit 0: enabled; bit 2: virtual, there are only registers or memory behind it
+    sii_sync_manager_use use{}; ///< what it is for; none: the control byte says its direction
 
     struct schema : wire::items {
         using T = sii_sync_manager;

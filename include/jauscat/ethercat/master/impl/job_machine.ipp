@@ -302,7 +302,12 @@ JAUSCAT_FUNCTION void job_machine<jauscat::ethercat::run_init_commands>::begin_s
 
 JAUSCAT_FUNCTION master_error
 job_machine<jauscat::ethercat::run_init_commands>::of_command(master_error error) const noexcept {
-    if (error != master_error{}) error.command = static_cast<std::uint16_t>(at_);
+    if (error == master_error{}) return error;
+    error.command = static_cast<std::uint16_t>(at_);
+    if (at_ < job_.commands.size()) {
+        error.index = job_.commands[at_].index;
+        error.subindex = job_.commands[at_].subindex;
+    }
     return error;
 }
 

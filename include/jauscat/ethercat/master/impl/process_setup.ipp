@@ -18,18 +18,45 @@ JAUSCAT_FUNCTION std::chrono::nanoseconds process_setup::watchdog() const noexce
 }
 
 JAUSCAT_FUNCTION sdo_transfer process_setup::upload() noexcept {
-    if (step_ == step::assignment)
-        return sdo_transfer::upload(static_cast<std::uint16_t>(0x1C10 + managed().number),
-                                    static_cast<std::uint8_t>(pdo_), room(pdo_));
-    return sdo_transfer::upload(mapping_, static_cast<std::uint8_t>(entry_), room(entry_));
+    const auto object = about_object({});
+    return sdo_transfer::upload(object.index, object.subindex, room(object.subindex));
+}
+
+JAUSCAT_FUNCTION master_error process_setup::about_object(master_error error) noexcept {
+    const bool assigns = step_ == step::assignment;
+    error.index = assigns ? static_cast<std::uint16_t>(0x1C10 + managed().number) : mapping_;
+    error.subindex = static_cast<std::uint8_t>(assigns ? pdo_ : entry_);
+    return error;
 }
 
 JAUSCAT_FUNCTION progress process_setup::uploaded(const master_result<std::size_t>& upload) noexcept {
-    // Without assignment objects the SII counts, as for a slave without CoE.
-    if (upload.error().code == master_errc::sdo_abort && step_ == step::assignment && pdo_ == 0) return survey(true);
-    if (!upload) return give_back(upload.error());
+    // Without its assignment object the SII counts for a SyncManager, and for all where there is no CoE after all.
+    const auto& error = upload.error();
+    const bool has_no_coe =
+        error.code == master_errc::mailbox_error && (error.mailbox == mailbox_error_code::unsupported_protocol ||
+                                                     error.mailbox == mailbox_error_code::service_not_supported);
+    if ((error.code == master_errc::sdo_abort || has_no_coe) && step_ == step::assignment && pdo_ == 0) {
+        by_sii_ |= 1U << manager_;
+        if (has_no_coe) by_sii_ = ~0U, manager_ = survey_.managers().size() - 1;
+        ++manager_;
+        return next_manager();
+    }
+    if (!upload) return give_back(about_object(error));
     if (step_ == step::assignment) return assigned(number_of(*upload));
     return mapped(number_of(*upload));
+}
+
+JAUSCAT_FUNCTION std::size_t process_setup::request_size() const noexcept {
+    const std::size_t managers = survey_.managers().size();
+    constexpr std::size_t registers = 2 * (datagram_overhead + 16); // two reads or writes of registers
+    if (step_ == step::set_up)
+        return datagram_overhead + max_fmmus * esc_registers::fmmu.size +
+               managers * (2 * sync_manager_size + datagram_overhead + esc_registers::fmmu.size);
+    return step_ == step::check_watchdog ? registers + managers * sync_manager_size : registers;
+}
+JAUSCAT_FUNCTION std::size_t process_setup::request_datagrams() const noexcept {
+    const std::size_t managers = survey_.managers().size();
+    return step_ == step::set_up ? 1 + 3 * managers : step_ == step::check_watchdog ? 2 + managers : 2;
 }
 
 JAUSCAT_FUNCTION void process_setup::request(frame_builder& frame) noexcept {
@@ -68,7 +95,11 @@ JAUSCAT_FUNCTION progress process_setup::reply(replies datagrams, time_point now
     const auto after = survey_.reply(datagrams.front(), now, config);
     if (after != progress::done) return after;
     if (!survey_.result()) return give_back(survey_.result().error());
-    return by_coe_ ? next_manager() : go(step::give_sii);
+    place_.no_lrw = place_.no_lrw || survey_.no_lrw();
+    if (by_coe_) return next_manager();
+    for (std::size_t i = 0; i != manager_; ++i) // what objects have said counts
+        if ((by_sii_ >> i & 1U) == 0) survey_.managers()[i] = by_objects_[i];
+    return go(step::give_sii);
 }
 
 JAUSCAT_FUNCTION progress process_setup::go(step next) noexcept {
@@ -94,7 +125,11 @@ JAUSCAT_FUNCTION progress process_setup::survey(bool sizes) noexcept {
 }
 
 JAUSCAT_FUNCTION progress process_setup::next_manager() noexcept {
-    if (manager_ == survey_.managers().size()) return go(step::give_sii);
+    if (manager_ == survey_.managers().size()) {
+        if (by_sii_ == 0) return go(step::give_sii);
+        std::ranges::copy(survey_.managers(), by_objects_.begin());
+        return survey(true);
+    }
     managed().bits = 0;
     pdo_ = 0;
     return go(step::assignment);
@@ -103,9 +138,11 @@ JAUSCAT_FUNCTION progress process_setup::next_manager() noexcept {
 JAUSCAT_FUNCTION progress process_setup::assigned(std::uint32_t value) noexcept {
     if (pdo_ == 0) {
         pdos_left_ = value;
-        if (!takes_objects(value)) return give_back({.code = master_errc::too_many_entries});
+        if (!takes_objects(value)) return give_back(about_object({.code = master_errc::too_many_entries}));
     } else {
         mapping_ = static_cast<std::uint16_t>(value);
+        if (mapping_ >= 0x1600 && mapping_ <= 0x17FF) managed().carries(true);
+        if (mapping_ >= 0x1A00 && mapping_ <= 0x1BFF) managed().carries(false);
         entry_ = 0;
         if (mapping_ != 0) return go(step::mapping); // 0: a place that is not used
     }
@@ -123,7 +160,7 @@ JAUSCAT_FUNCTION progress process_setup::mapped(std::uint32_t value) noexcept {
         managed().bits += value & 0xFF; // index, subindex and, in the low byte, bits
     } else {
         entries_left_ = value;
-        if (!takes_objects(value)) return give_back({.code = master_errc::too_many_entries});
+        if (!takes_objects(value)) return give_back(about_object({.code = master_errc::too_many_entries}));
     }
     if (entry_++ != entries_left_) return go(step::mapping);
     return next_pdo();
@@ -150,6 +187,8 @@ JAUSCAT_FUNCTION progress process_setup::lay_out() noexcept {
     std::uint16_t used = 0;
     for (const auto& each : survey_.managers()) {
         if (each.bits == 0) continue;
+        if (each.description.use == sii_sync_manager_use::none)
+            return fail({.code = master_errc::no_direction, .sync_manager = each.number});
         (each.is_output() ? outputs : inputs) += each.bytes();
         ++(each.is_output() ? place_.output_managers : place_.input_managers);
         ++used;
@@ -183,11 +222,13 @@ JAUSCAT_FUNCTION void process_setup::set_up(frame_builder& frame) const noexcept
         settings.start = each.description.start;
         settings.length = static_cast<std::uint16_t>(each.bytes()); // fits: see lay_out
         settings.watchdog = settings.watchdog || each.is_output();  // whatever the SII says
-        const auto at = nth(esc_registers::sync_manager, each.number);
-        frame.write(station_, at, settings);
-        settings.enable = each.bits != 0;
-        if (!settings.enable) continue;
-        frame.write(station_, at, settings);
+        if (!each.is_virtual()) {
+            const auto at = nth(esc_registers::sync_manager, each.number);
+            frame.write(station_, at, settings);
+            settings.enable = each.bits != 0;
+            if (settings.enable) frame.write(station_, at, settings);
+        }
+        if (each.bits == 0) continue;
         auto& address = each.is_output() ? output : input;
         frame.write(station_, nth(esc_registers::fmmu, fmmus++),
                     {.logical_start = logical_base_ + address,
@@ -205,7 +246,8 @@ JAUSCAT_FUNCTION void process_setup::read_watchdog(frame_builder& frame) const n
     frame.read(station_, esc_registers::watchdog_divider);
     frame.read(station_, esc_registers::process_data_watchdog);
     for (const auto& each : survey_.managers())
-        if (each.is_output() && each.bits != 0) frame.read(station_, nth(esc_registers::sync_manager, each.number));
+        if (each.is_output() && each.bits != 0 && !each.is_virtual())
+            frame.read(station_, nth(esc_registers::sync_manager, each.number));
 }
 
 JAUSCAT_FUNCTION progress process_setup::check_watchdog(replies datagrams) noexcept {

@@ -163,7 +163,7 @@ JAUSCAT_FUNCTION reply_kind sdo_transfer::take_upload(const sdo_header& header,
     sdo_normal normal{};
     const auto data = sdo.subspan(*wire::decode_prefix(normal, sdo));
     announced_ = normal.size;
-    if (normal.size < data.size() && header.size_indicated) return mismatch();
+    if (normal.size < data.size() && header.size_indicated) return mismatch(data.size());
     return keep(data, normal.size > data.size());
 }
 
@@ -176,21 +176,27 @@ JAUSCAT_FUNCTION reply_kind sdo_transfer::take_segment(const sdo_segment_header&
     open_ = !segment.last;
     const std::size_t left = announced_ - done_;
     // Empty segments are refused: a transfer of them would not end.
-    if (data.size() > left || (segment.last ? data.size() != left : data.empty())) return mismatch();
+    if (data.size() > left || (segment.last ? data.size() != left : data.empty())) return mismatch(data.size());
     return keep(data, !segment.last);
 }
 
-JAUSCAT_FUNCTION reply_kind sdo_transfer::mismatch() noexcept {
-    return finish(master_error{.code = master_errc::size_mismatch, .bytes = announced_});
+JAUSCAT_FUNCTION reply_kind sdo_transfer::mismatch(std::size_t last) noexcept {
+    return finish(master_error{.code = master_errc::size_mismatch,
+                               .bytes = announced_,
+                               .found_bytes = static_cast<std::uint32_t>(done_ + last)});
 }
 
 JAUSCAT_FUNCTION reply_kind sdo_transfer::keep(std::span<const std::byte> data, bool more) noexcept {
     open_ = more;
     const std::size_t size = std::max<std::size_t>(more ? announced_ : 0, done_ + data.size());
     if (size > into_.size())
-        spoilt_ = master_error{.code = master_errc::data_too_long, .bytes = static_cast<std::uint32_t>(into_.size())};
+        spoilt_ = master_error{.code = master_errc::data_too_long,
+                               .bytes = static_cast<std::uint32_t>(into_.size()),
+                               .found_bytes = static_cast<std::uint32_t>(size)};
     else if (expected_size_ && size != *expected_size_)
-        spoilt_ = master_error{.code = master_errc::size_mismatch, .bytes = static_cast<std::uint32_t>(size)};
+        spoilt_ = master_error{.code = master_errc::size_mismatch,
+                               .bytes = static_cast<std::uint32_t>(*expected_size_),
+                               .found_bytes = static_cast<std::uint32_t>(size)};
     if (spoilt_) std::ranges::copy(data, into_.subspan(done_).begin());
     done_ += data.size();
     if (more && (spoilt_ || size <= longest_unused)) return next_request(phase::segments);

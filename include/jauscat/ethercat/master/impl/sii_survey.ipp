@@ -8,6 +8,24 @@ JAUSCAT_FUNCTION std::span<const process_manager> sii_survey::managers() const n
     return std::span{managers_}.first(count_);
 }
 
+namespace detail {
+
+// Where the use is not given, the control byte says the direction: bits 0 and 1 are 0 (buffered), bits 2 and 3 are 1
+// where the master writes. It says nothing where it is 0. An entry of zeros is a place that is not used.
+inline bool may_carry_process_data(sii_sync_manager& manager) noexcept {
+    using enum sii_sync_manager_use;
+    if (manager.use == outputs || manager.use == inputs) return true;
+    if (manager.use != none || manager.start == 0) return false;
+    if ((manager.enable & (sii_enable::enabled | sii_enable::virtual_manager)) == 0) manager.length = 0;
+    const unsigned mode = manager.control & 3U, direction = manager.control >> 2U & 3U;
+    if (mode != 0) return false; // a mailbox
+    if (direction == 1) manager.use = outputs;
+    if (direction == 0 && manager.control != 0) manager.use = inputs;
+    return true;
+}
+
+} // namespace detail
+
 JAUSCAT_FUNCTION progress sii_survey::reply(const datagram_view& datagram, time_point now,
                                             const master_config& config) noexcept {
     const auto after = sii_.reply(datagram, now, config);
@@ -15,6 +33,7 @@ JAUSCAT_FUNCTION progress sii_survey::reply(const datagram_view& datagram, time_
     if (result_ = sii_.result(); !result_) return progress::done;
     switch (step_) {
     case step::category: return category_read();
+    case step::general: return flags_read();
     case step::sync_manager: return sync_manager_read();
     case step::pdo: return pdo_read();
     default: return pdo_entry_read();
@@ -40,11 +59,24 @@ JAUSCAT_FUNCTION progress sii_survey::category_read() noexcept {
     end_ = content + header.words;
     switch (header.category) {
     case sii_category::end: return finish();
+    case sii_category::general: {
+        constexpr std::uint32_t words_before_flags = 5;
+        if (header.words <= words_before_flags) return next_category();
+        return read(step::general, content + words_before_flags, 2);
+    }
     case sii_category::sync_manager: return next_sync_manager(content);
     case sii_category::rx_pdo:
-    case sii_category::tx_pdo: described_ = true; return sizes_ ? next_pdo(content) : next_category();
+    case sii_category::tx_pdo:
+        described_ = true;
+        is_output_ = header.category == sii_category::rx_pdo;
+        return sizes_ ? next_pdo(content) : next_category();
     default: return next_category();
     }
+}
+
+JAUSCAT_FUNCTION progress sii_survey::flags_read() noexcept {
+    no_lrw_ = (std::to_integer<std::uint8_t>(buffer_[1]) & sii_no_lrw) != 0; // the upper byte of the word
+    return next_category();
 }
 
 JAUSCAT_FUNCTION progress sii_survey::next_category() noexcept {
@@ -62,7 +94,7 @@ JAUSCAT_FUNCTION progress sii_survey::sync_manager_read() noexcept {
     if (number_ == max_managers) return fail({.code = master_errc::sii_malformed, .sii_word = word_});
     process_manager found{.number = number_++};
     static_cast<void>(wire::decode_prefix(found.description, buffer_));
-    if (found.is_output() || found.description.use == sii_sync_manager_use::inputs) {
+    if (detail::may_carry_process_data(found.description)) {
         if (count_ == capacity) return fail({.code = master_errc::too_many_managers});
         managers_[count_++] = found;
     }
@@ -80,6 +112,7 @@ JAUSCAT_FUNCTION progress sii_survey::pdo_read() noexcept {
     objects_ += 1 + entries_left_;
     if (objects_ > max_process_objects) return fail({.code = master_errc::too_many_entries});
     carrier_ = pdo.sync_manager;
+    if (carrier_ < bits_.size()) (is_output_ ? outputs_ : inputs_) |= static_cast<std::uint16_t>(1U << carrier_);
     return next_pdo_entry(word_ + pdo_words);
 }
 
@@ -101,10 +134,13 @@ JAUSCAT_FUNCTION progress sii_survey::pdo_entry_read() noexcept {
 JAUSCAT_FUNCTION progress sii_survey::finish() noexcept {
     for (auto& each : managers()) {
         // Without a PDO the size is the SyncManager's default length.
-        if (!described_)
+        if (!described_) {
             each.bits = each.description.length * 8u;
-        else if (each.number < bits_.size())
+        } else if (each.number < bits_.size()) {
             each.bits = bits_[each.number];
+            const bool out = (outputs_ >> each.number & 1U) != 0, in = (inputs_ >> each.number & 1U) != 0;
+            if (out != in) each.carries(out);
+        }
     }
     return progress::done;
 }
