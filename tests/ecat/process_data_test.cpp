@@ -232,6 +232,30 @@ TEST_CASE("pdos of more entries than a slave can have are refused") {
     CHECK(ended.complains("more than 4096 PDOs and entries"));
 }
 
+TEST_CASE("pdos names an assigned PDO that the slave does not have") {
+    auto slaves = with_process_data();
+    emulated_bus ring{slaves};
+    ring.on_way_back([](std::span<std::byte> frame) {
+        ethercat::mutable_frame_view view;
+        if (!view.parse(frame)) return;
+        for (const auto d : view) { // the mapping object of the inputs is missing: an abort of 1A00h
+            if (d.data.size() < 16 || d.working_counter == 0 || d.data[7] != std::byte{0x30}) continue;
+            if (d.data[9] != std::byte{0x00} || d.data[10] != std::byte{0x1A}) continue;
+            d.data[8] = std::byte{0x80};
+            constexpr std::array abort{std::byte{}, std::byte{}, std::byte{0x02}, std::byte{0x06}};
+            std::ranges::copy(abort, d.data.subspan(12).begin());
+        }
+    });
+    const auto table = run("pdos --slave 1" + on(ring));
+    CHECK(table.code == failed);
+    CHECK(table.says("error"));
+    CHECK(table.says("the slave does not have 0x1A00:0"));
+    const auto json = run("pdos --slave 1 --format json" + on(ring));
+    CHECK(json.code == failed);
+    REQUIRE(json.parsed()[0]["pdos"].size() == 2);
+    CHECK(json.parsed()[0]["pdos"][1]["error"] == "the slave does not have 0x1A00:00");
+}
+
 TEST_CASE("watch says when a slave leaves its state and when it is back, and shows no inputs in between") {
     const bool comes_back = GENERATE(true, false);
     auto slaves = with_process_data();

@@ -231,17 +231,18 @@ std::optional<entry_text> coe_mailbox::try_describe(std::uint16_t index, std::ui
     }
 }
 
-std::uint64_t coe_mailbox::number(std::uint16_t index, std::uint8_t subindex) {
-    std::uint64_t made = 0;
+std::optional<std::uint64_t> coe_mailbox::try_number(std::uint16_t index, std::uint8_t subindex) {
     try {
         std::array<std::byte, 8> into{};
         const auto size = is_->run(ethercat::sdo_transfer::upload(index, subindex, into), place(index, subindex));
+        std::uint64_t made = 0;
         for (std::size_t i = std::min(size, into.size()); i-- != 0;)
             made = made << 8 | std::to_integer<std::uint64_t>(into[i]);
+        return made;
     } catch (const coe_failure& error) {
         if (error.error.code != master_errc::sdo_abort) throw;
+        return {};
     }
-    return made;
 }
 
 } // namespace ecat

@@ -54,8 +54,8 @@ class coe_mailbox {
     [[nodiscard]] entry_text describe(std::uint16_t index, std::uint8_t subindex);
     /// The same; none where the slave does not describe it. An object of one entry that has no name gives it its own.
     [[nodiscard]] std::optional<entry_text> try_describe(std::uint16_t index, std::uint8_t subindex);
-    /// A number of up to 8 bytes; 0 where the slave has no such entry.
-    [[nodiscard]] std::uint64_t number(std::uint16_t index, std::uint8_t subindex);
+    /// A number of up to 8 bytes; none where the slave has no such entry.
+    [[nodiscard]] std::optional<std::uint64_t> try_number(std::uint16_t index, std::uint8_t subindex);
 
   private:
     struct state;

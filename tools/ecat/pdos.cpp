@@ -23,12 +23,25 @@ int pdos(const arguments& given) {
     list slaves;
     std::vector<record> rows;
     progress_line progress;
+    bool is_complete = true;
     for (const auto position : chosen_slaves(given, on)) {
         progress.show("slave " + std::to_string(position) + " of " + std::to_string(on.slaves()));
         const auto found = read_process_objects(on, position, true);
         list all;
         for (const auto& pdo : found.pdos) {
             list entries;
+            if (!pdo.error.empty()) {
+                is_complete = false;
+                rows.push_back({{"position", position},
+                                {"direction", pdo.is_output ? "output" : "input"},
+                                {"sync_manager", manager_value(pdo.sync_manager)},
+                                {"pdo", hex_value(pdo.index, 4)},
+                                {"byte", std::string{}},
+                                {"bits", std::string{}},
+                                {"object", std::string{"error"}},
+                                {"type", std::string{}},
+                                {"name", pdo.error}});
+            }
             const auto direction = pdo.is_output ? "output" : "input";
             for (const auto& each : pdo.entries) {
                 const auto type = each.type != 0 ? type_text(each.type) : std::string{};
@@ -48,11 +61,13 @@ int pdos(const arguments& given) {
                                 {"type", type},
                                 {"name", each.name}});
             }
-            all.emplace_back(record{{"index", pdo.index},
-                                    {"name", pdo.name},
-                                    {"direction", direction},
-                                    {"sync_manager", manager_value(pdo.sync_manager)},
-                                    {"entries", entries}});
+            record one{{"index", pdo.index},
+                       {"name", pdo.name},
+                       {"direction", direction},
+                       {"sync_manager", manager_value(pdo.sync_manager)},
+                       {"entries", entries}};
+            if (!pdo.error.empty()) one.emplace_back("error", pdo.error);
+            all.emplace_back(std::move(one));
         }
         slaves.emplace_back(record{{"position", position}, {"source", found.source}, {"pdos", all}});
     }
@@ -62,6 +77,7 @@ int pdos(const arguments& given) {
         std::cout << "no process data\n";
     else
         print_table(rows);
+    if (!is_complete) throw failure{"PDOs are assigned that the slave does not have"};
     return success;
 }
 

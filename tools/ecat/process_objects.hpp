@@ -23,10 +23,11 @@ struct assigned_pdo {
     bool is_output{};
     std::uint8_t sync_manager{}; ///< 255: not assigned
     std::vector<mapped_entry> entries{};
+    std::string error{}; ///< it is assigned, and the slave does not have it
 };
 
 struct process_objects {
-    const char* source{}; ///< "coe": objects 1C10h and up; "sii"
+    const char* source{}; ///< "coe": objects 1C10h and up, for all SyncManagers that have one; "sii"
     std::vector<assigned_pdo> pdos{};
 };
 

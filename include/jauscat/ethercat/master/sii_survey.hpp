@@ -31,6 +31,21 @@ struct process_manager {
     [[nodiscard]] std::uint32_t bytes() const noexcept { return bits / 8 + (bits % 8 != 0 ? 1 : 0); }
 };
 
+/// Whether a SyncManager of the SII may carry process data. Where its use is not given, it becomes the direction that
+/// the control byte says: bits 0 and 1 are 0 (buffered), bits 2 and 3 are 1 where the master writes. It remains none
+/// where the control byte is 0. An entry of zeros is a place that is not used.
+[[nodiscard]] inline bool may_carry_process_data(sii_sync_manager& manager) noexcept {
+    using enum sii_sync_manager_use;
+    if (manager.use == outputs || manager.use == inputs) return true;
+    if (manager.use != none || manager.start == 0) return false;
+    if ((manager.enable & (sii_enable::enabled | sii_enable::virtual_manager)) == 0) manager.length = 0;
+    const unsigned mode = manager.control & 3U, direction = manager.control >> 2U & 3U;
+    if (mode != 0) return false; // a mailbox
+    if (direction == 1) manager.use = outputs;
+    if (direction == 0 && manager.control != 0) manager.use = inputs;
+    return true;
+}
+
 /// PDOs and entries of one slave that the master reads at most: a faulty slave may state 65,025 for each SyncManager.
 inline constexpr std::uint32_t max_process_objects = 4096;
 

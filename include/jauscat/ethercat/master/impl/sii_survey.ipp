@@ -8,24 +8,6 @@ JAUSCAT_FUNCTION std::span<const process_manager> sii_survey::managers() const n
     return std::span{managers_}.first(count_);
 }
 
-namespace detail {
-
-// Where the use is not given, the control byte says the direction: bits 0 and 1 are 0 (buffered), bits 2 and 3 are 1
-// where the master writes. It says nothing where it is 0. An entry of zeros is a place that is not used.
-inline bool may_carry_process_data(sii_sync_manager& manager) noexcept {
-    using enum sii_sync_manager_use;
-    if (manager.use == outputs || manager.use == inputs) return true;
-    if (manager.use != none || manager.start == 0) return false;
-    if ((manager.enable & (sii_enable::enabled | sii_enable::virtual_manager)) == 0) manager.length = 0;
-    const unsigned mode = manager.control & 3U, direction = manager.control >> 2U & 3U;
-    if (mode != 0) return false; // a mailbox
-    if (direction == 1) manager.use = outputs;
-    if (direction == 0 && manager.control != 0) manager.use = inputs;
-    return true;
-}
-
-} // namespace detail
-
 JAUSCAT_FUNCTION progress sii_survey::reply(const datagram_view& datagram, time_point now,
                                             const master_config& config) noexcept {
     const auto after = sii_.reply(datagram, now, config);
@@ -94,7 +76,7 @@ JAUSCAT_FUNCTION progress sii_survey::sync_manager_read() noexcept {
     if (number_ == max_managers) return fail({.code = master_errc::sii_malformed, .sii_word = word_});
     process_manager found{.number = number_++};
     static_cast<void>(wire::decode_prefix(found.description, buffer_));
-    if (detail::may_carry_process_data(found.description)) {
+    if (may_carry_process_data(found.description)) {
         if (count_ == capacity) return fail({.code = master_errc::too_many_managers});
         managers_[count_++] = found;
     }
