@@ -376,3 +376,29 @@ TEST_CASE("a slave survives 100000 random frames") {
     }
     CHECK(answered > 10'000);
 }
+
+TEST_CASE("a slave relies on the lengths of the datagrams, not on that of the frame") {
+    jauscat::test::objects objects;
+    slave device{{.vendor = 1, .product = 2}, objects};
+    const auto made = [](std::initializer_list<std::size_t> sizes) {
+        std::vector<std::byte> frame(max_frame_size);
+        frame_builder builder{frame};
+        for (const auto size : sizes) builder.add(command::brd, 0, 0, size);
+        frame.resize(builder.finish()->size());
+        return frame;
+    };
+    for (const int extra : {0, 1, 12, -13, 900}) {
+        INFO(extra);
+        auto frame = made({1});
+        const auto length = static_cast<unsigned>(std::to_integer<int>(frame[14]) + extra);
+        frame[14] = static_cast<std::byte>(length & 0xFF);
+        frame[15] = static_cast<std::byte>(0x10 | (length >> 8 & 7));
+        device.process(frame);
+        CHECK(frame[16 + 10 + 1] == std::byte{1}); // the working counter
+    }
+    // A datagram that the frame does not hold whole is not executed, and those before it are.
+    auto frame = made({1, 100});
+    frame.pop_back();
+    device.process(frame);
+    CHECK(frame[16 + 10 + 1] == std::byte{1});
+}

@@ -112,3 +112,11 @@ TEST_CASE("structures of other protocols are printed the same way") {
     CHECK(text::to_text(ethercat::frame_header{.length = 44, .type = ethercat::frame_type::datagrams}, 0) ==
           "length = 44\ntype = datagrams (1)\n");
 }
+
+TEST_CASE("text of devices that is not UTF-8 is taken for Latin-1") {
+    CHECK(text::as_utf8("1\xC2\xB5s") == "1\xC2\xB5s");
+    CHECK(text::as_utf8("1\xB5s") == "1\xC2\xB5s");
+    CHECK(text::as_utf8("\xE9\xFF") == "\xC3\xA9\xC3\xBF");
+    CHECK(text::as_utf8("plain") == "plain");
+    CHECK(text::as_utf8("") == "");
+}

@@ -68,6 +68,9 @@ bytes sii_reader::read(std::uint32_t word, std::size_t size) {
 
 const char* category_name(sii_category category) {
     switch (category) {
+    case sii_category::device_specific: return "device specific";
+    case sii_category::fmmu_extension: return "FMMUX";
+    case sii_category::sync_unit: return "SyncUnit";
     case sii_category::strings: return "strings";
     case sii_category::general: return "general";
     case sii_category::fmmu: return "FMMU";

@@ -1,6 +1,7 @@
 #include "ecat/value.hpp"
 
 #include "support/output.hpp"
+#include <jauscat/text/quoted.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -61,8 +62,10 @@ std::string hex_bytes(const std::vector<std::byte>& data) {
 }
 
 std::string printable(std::string_view text) {
-    std::string made{text.substr(0, text.find('\0'))};
-    std::ranges::replace_if(made, [](char c) { return c < ' ' || c > '~'; }, '?');
+    auto made = jauscat::text::as_utf8(text.substr(0, text.find('\0')));
+    std::ranges::replace_if(made, [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; }, '?');
+    for (std::size_t at = 0; (at = made.find('\xC2', at)) != made.npos; ++at) // control characters of Latin-1
+        if (const auto second = static_cast<unsigned char>(made[at + 1]); second < 0xA0) made.replace(at, 2, "?");
     return made;
 }
 

@@ -56,7 +56,7 @@ class value {
 [[nodiscard]] inline value hex_value(std::uint64_t number, int digits) { return {number, hex(number, digits)}; }
 /// `3702`, two digits for each byte.
 [[nodiscard]] std::string hex_bytes(const std::vector<std::byte>& data);
-/// Text of a slave: bytes that are not printable ASCII become `?`.
+/// Text of a slave, UTF-8 or Latin-1, as UTF-8; control characters become `?`.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// Prints on standard output, on one line if it is `compact`.

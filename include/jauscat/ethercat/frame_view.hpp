@@ -38,37 +38,29 @@ template <class Byte> class basic_frame_view {
     /// After an error the view is empty.
     [[nodiscard]] constexpr result<std::size_t, frame_errc> parse(std::span<Byte> frame) noexcept {
         datagrams_ = {};
-        ethernet_header ethernet{};
-        auto used = wire::decode_prefix(ethernet, frame);
-        if (!used) return frame_errc::too_short;
-        std::size_t at = *used;
-        if (ethernet.ether_type == ether_type_vlan) {
-            vlan_tag tag{};
-            used = wire::decode_prefix(tag, frame.subspan(at));
-            if (!used) return frame_errc::too_short;
-            at += *used;
-            ethernet.ether_type = tag.ether_type;
-        }
-        if (ethernet.ether_type != ether_type_ethercat) return frame_errc::not_ethercat;
+        std::size_t at = 0;
         frame_header header{};
-        used = wire::decode_prefix(header, frame.subspan(at));
-        if (!used) return frame_errc::too_short;
-        at += *used;
-        if (header.type != frame_type::datagrams) return frame_errc::not_datagrams;
+        if (const auto wrong = parse_head(frame, at, header); wrong != frame_errc::ok) return wrong;
         if (frame.size() - at < header.length) return frame_errc::length_beyond_frame;
-
         const auto datagrams = frame.subspan(at, header.length);
-        std::size_t walked = 0;
-        for (bool more = true; more;) {
-            datagram_header datagram{};
-            if (!wire::decode_prefix(datagram, datagrams.subspan(walked))) return frame_errc::truncated_datagram;
-            if (datagrams.size() - walked < datagram_overhead + datagram.length) return frame_errc::truncated_datagram;
-            walked += datagram_overhead + datagram.length;
-            more = datagram.more;
-        }
+        frame_errc why{};
+        const std::size_t walked = walk(datagrams, why);
+        if (why != frame_errc::ok) return why;
         if (walked != datagrams.size()) return frame_errc::length_mismatch;
         datagrams_ = datagrams;
         return at + walked;
+    }
+    /// As a slave controller does: the length in the frame's header is not looked at. The datagrams are those up to the
+    /// last one, or to one that the frame does not hold whole; there may be none. Errors: too_short, not_ethercat,
+    /// not_datagrams.
+    [[nodiscard]] constexpr result<void, frame_errc> parse_datagrams(std::span<Byte> frame) noexcept {
+        datagrams_ = {};
+        std::size_t at = 0;
+        frame_header header{};
+        if (const auto wrong = parse_head(frame, at, header); wrong != frame_errc::ok) return wrong;
+        frame_errc why{};
+        datagrams_ = frame.subspan(at, walk(frame.subspan(at), why));
+        return {};
     }
 
     class iterator {
@@ -110,6 +102,41 @@ template <class Byte> class basic_frame_view {
     [[nodiscard]] constexpr std::default_sentinel_t end() const noexcept { return {}; }
 
   private:
+    /// Up to the datagrams, which begin at `at`.
+    static constexpr frame_errc parse_head(std::span<Byte> frame, std::size_t& at, frame_header& header) noexcept {
+        ethernet_header ethernet{};
+        auto used = wire::decode_prefix(ethernet, frame);
+        if (!used) return frame_errc::too_short;
+        at = *used;
+        if (ethernet.ether_type == ether_type_vlan) {
+            vlan_tag tag{};
+            used = wire::decode_prefix(tag, frame.subspan(at));
+            if (!used) return frame_errc::too_short;
+            at += *used;
+            ethernet.ether_type = tag.ether_type;
+        }
+        if (ethernet.ether_type != ether_type_ethercat) return frame_errc::not_ethercat;
+        used = wire::decode_prefix(header, frame.subspan(at));
+        if (!used) return frame_errc::too_short;
+        at += *used;
+        return header.type == frame_type::datagrams ? frame_errc::ok : frame_errc::not_datagrams;
+    }
+    /// Bytes of the datagrams up to the last one; `why`: the one behind them is not whole.
+    static constexpr std::size_t walk(std::span<Byte> datagrams, frame_errc& why) noexcept {
+        std::size_t walked = 0;
+        for (bool more = true; more;) {
+            datagram_header datagram{};
+            if (!wire::decode_prefix(datagram, datagrams.subspan(walked)) ||
+                datagrams.size() - walked < datagram_overhead + datagram.length) {
+                why = frame_errc::truncated_datagram;
+                return walked;
+            }
+            walked += datagram_overhead + datagram.length;
+            more = datagram.more;
+        }
+        return walked;
+    }
+
     std::span<Byte> datagrams_{};
 };
 

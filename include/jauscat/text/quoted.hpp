@@ -25,6 +25,22 @@ namespace jauscat::text {
     return true;
 }
 
+/// Text of devices as UTF-8: what is not UTF-8 is taken for Latin-1 (ISO 8859-1).
+[[nodiscard]] inline std::string as_utf8(std::string_view text) {
+    if (is_utf8(text)) return std::string{text};
+    std::string made;
+    for (const char c : text) {
+        const auto octet = static_cast<unsigned char>(c);
+        if (octet < 0x80) {
+            made += c;
+        } else {
+            made += static_cast<char>(0xC0 | octet >> 6U);
+            made += static_cast<char>(0x80 | (octet & 0x3FU));
+        }
+    }
+    return made;
+}
+
 /// `"text"`: quotes and backslashes behind a backslash, control characters and octets that are no UTF-8 as \xHH.
 [[nodiscard]] inline std::string quoted(std::string_view text) {
     constexpr std::string_view digits = "0123456789abcdef";

@@ -108,12 +108,15 @@ struct sii_size {
     };
 };
 
-/// Kinds of categories.
+/// Kinds of categories. 1 to 9 are the device's own.
 enum class sii_category : std::uint16_t {
+    device_specific = 1,
     strings = 10,
     general = 30,
     fmmu = 40,
     sync_manager = 41,
+    fmmu_extension = 42, ///< FMMUX
+    sync_unit = 43,
     tx_pdo = 50,
     rx_pdo = 51,
     dc = 60,

@@ -161,9 +161,10 @@ JAUSCAT_FUNCTION reply_kind sdo_transfer::take_upload(const sdo_header& header,
         return keep(std::span{expedited.data}.first(expedited.data.size() - unused), false);
     }
     sdo_normal normal{};
-    const auto data = sdo.subspan(*wire::decode_prefix(normal, sdo));
+    auto data = sdo.subspan(*wire::decode_prefix(normal, sdo));
     announced_ = normal.size;
-    if (normal.size < data.size() && header.size_indicated) return mismatch(data.size());
+    // The mailbox length of some slaves covers bytes that fill up the message.
+    if (normal.size < data.size() && header.size_indicated) data = data.first(normal.size);
     return keep(data, normal.size > data.size());
 }
 

@@ -6,7 +6,7 @@ namespace jauscat::ethercat {
 
 JAUSCAT_CONSTEXPR void esc::pass(std::span<std::byte> frame) noexcept {
     mutable_frame_view view;
-    if (!view.parse(frame)) return;
+    if (!view.parse_datagrams(frame)) return;
     ethernet_header ethernet{};
     static_cast<void>(wire::decode_prefix(ethernet, frame));
     ethernet.source[0] |= std::byte{0x02};

@@ -1,5 +1,6 @@
 // The functions of udp_link.
 #pragma once
+#include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/net/link/detail/bind_udp.hpp>
 #include <jauscat/net/link/udp_link.hpp>
 #include <jauscat/wire/decode.hpp>
@@ -48,7 +49,12 @@ JAUSCAT_DECL bool udp_link::send(std::span<const std::byte> frame) {
     ethercat::frame_header header;
     const auto payload = frame.subspan(std::min(frame.size(), header_size));
     const auto read = wire::decode_prefix(header, payload);
-    if (!read || payload.size() < *read + header.length) {
+    // The length of a frame of another master may not be that of its datagrams, which have come back as they were sent.
+    ethercat::frame_view view;
+    std::size_t datagrams = 0;
+    if (view.parse_datagrams(frame))
+        for (const auto datagram : view) datagrams += datagram.bytes.size();
+    if (!read || (datagrams == 0 && payload.size() < *read + header.length)) {
         problem_ = "a frame of " + std::to_string(frame.size()) + " bytes is shorter than its header announces";
         return false;
     }
@@ -56,8 +62,9 @@ JAUSCAT_DECL bool udp_link::send(std::span<const std::byte> frame) {
         problem_ = "no master has sent a frame yet, so there is no address to answer";
         return false;
     }
-    const auto sent = ::sendto(socket_.native_handle(), payload.data(), *read + header.length, MSG_DONTWAIT,
-                               peer_.data(), static_cast<socklen_t>(peer_.size()));
+    const auto size = std::min(payload.size(), *read + std::max<std::size_t>(header.length, datagrams));
+    const auto sent = ::sendto(socket_.native_handle(), payload.data(), size, MSG_DONTWAIT, peer_.data(),
+                               static_cast<socklen_t>(peer_.size()));
     if (sent < 0) explain(errno);
     return sent >= 0;
 }
