@@ -134,3 +134,82 @@ template <> struct jauscat::wire::schema<early_rest> {
 
 static_assert(size_of_wrong<early_rest> != 0);
 #endif
+
+#ifdef COUNT_BEHIND_ITS_LIST
+// expect: layout: a count, tag or flag stands behind what it is for; it must come before
+struct legs {
+    jauscat::wire::list<std::uint8_t> leg{};
+    std::uint8_t n{};
+};
+
+template <> struct jauscat::wire::schema<legs> {
+    using type = layout<repeated<&legs::leg, counted_by<&legs::n>, element<"leg", u8>>, field<&legs::n, u8>>;
+};
+
+static_assert(size_of_wrong<legs> != 0);
+#endif
+
+#ifdef COUNT_BEHIND_A_LIST_IN_A_LIST
+// expect: layout: a count, tag or flag stands behind what it is for; it must come before
+struct paw {
+    jauscat::wire::list<std::uint8_t> toe{};
+};
+struct animal {
+    jauscat::wire::list<paw> paws{};
+    std::uint8_t toes{};
+};
+
+template <> struct jauscat::wire::schema<paw> {
+    using type = layout<repeated<&paw::toe, counted_by<&animal::toes>, element<"toe", u8>>>;
+};
+template <> struct jauscat::wire::schema<animal> {
+    using type = layout<repeated<&animal::paws, count<"paws", u8>>, field<&animal::toes, u8>>;
+};
+
+static_assert(size_of_wrong<animal> != 0);
+#endif
+
+#ifdef TAG_BEHIND_ITS_VALUE
+// expect: layout: a count, tag or flag stands behind what it is for; it must come before
+struct tagged {
+    std::uint32_t value{};
+    std::uint8_t tag{};
+};
+
+template <> struct jauscat::wire::schema<tagged> {
+    using type =
+        layout<selected<&tagged::value, by<&tagged::tag>, when<0, u8>, when<1, u32le>>, field<&tagged::tag, u8>>;
+};
+
+static_assert(size_of_wrong<tagged> != 0);
+#endif
+
+#ifdef LENGTH_BEHIND_ITS_TEXT
+// expect: layout: a count, tag or flag stands behind what it is for; it must come before
+struct text {
+    std::string_view value{};
+    std::uint8_t length{};
+};
+
+template <> struct jauscat::wire::schema<text> {
+    using type = layout<string<&text::value, counted_by<&text::length>>, field<&text::length, u8>>;
+};
+
+static_assert(size_of_wrong<text> != 0);
+#endif
+
+#ifdef FLAGS_BEHIND_WHAT_THEY_ANNOUNCE
+// expect: layout: a count, tag or flag stands behind what it is for; it must come before
+struct announced {
+    std::optional<std::uint8_t> value{};
+    bool is_there{};
+    std::optional<std::uint8_t> other{};
+};
+
+template <> struct jauscat::wire::schema<announced> {
+    using type = layout<gated_by<&announced::is_there, field<&announced::value, u8>>,
+                        presence<u8, presence_flag<&announced::is_there>, field<&announced::other, u8>>>;
+};
+
+static_assert(size_of_wrong<announced> != 0);
+#endif

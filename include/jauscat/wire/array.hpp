@@ -58,6 +58,7 @@ template <auto Member, class Element = record> struct array {
         }(),
         "array: the elements are not of the type that their codec carries");
     using plain_form = typename detail::element_form<element_type, false, value_type>::type;
+    using refers = references_of<plain_form>;
 
     static constexpr bool contextual = [] {
         if constexpr (of_records)

@@ -87,7 +87,8 @@ requires(!element_count<Count, T>)
 inline constexpr bool checked_count<Count, T> = missing_in_count<Count, T>::complete;
 
 /// Base of counts that are members elsewhere. `Less` is what the count is smaller by.
-template <std::size_t Less, auto... Path> struct count_elsewhere {
+template <std::size_t Less, auto First, auto... Rest> struct count_elsewhere {
+    using refers = key_list<First>;
     static constexpr std::size_t prefix_size = 0;
     static constexpr bool contextual = true;
 
@@ -100,7 +101,7 @@ template <std::size_t Less, auto... Path> struct count_elsewhere {
         return true;
     }
     JAUSCAT_INLINE static constexpr std::size_t peek(const std::byte*, const auto& here) noexcept {
-        const auto value = static_cast<std::size_t>(look_up<Path...>(here));
+        const auto value = static_cast<std::size_t>(look_up<First, Rest...>(here));
         return value < Less ? 0 : value - Less;
     }
 };

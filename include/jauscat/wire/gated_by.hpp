@@ -11,6 +11,7 @@ template <auto Flag, class Item> struct gated_by {
     using gated_item = Item;
     static constexpr auto key = Item::key;
     using keys = typename Item::keys;
+    using refers = joined_keys<key_list<Flag>, references_of<Item>>;
     using raw_type = typename Item::raw_type;
     static constexpr bool optional = false; // no presence vector of its own
     static constexpr bool contextual = true;

@@ -9,6 +9,7 @@
 //   extent(bytes)             where that is faster than measure: bytes it takes in a message that was measured before
 //   visit(object, f)          calls f(leaf item, member) for each member
 //   read<Member, Mode>(bytes) one member out of measured bytes
+//   refers                    the members that it looks at to be decoded; left out where there are none
 // Variable items take the scope they stand in as their last argument (see scope.hpp).
 // All of it is forced inline: only whole messages are worth a call, and offsets fold to constants.
 #pragma once
@@ -85,6 +86,13 @@ template <class Item> inline constexpr bool takes_rest = false;
 template <class Item>
 requires requires { Item::to_the_end; }
 inline constexpr bool takes_rest<Item> = Item::to_the_end;
+
+/// Members that an item, a count or a tag refers to, of the structure that it stands in or of one around it.
+template <class Item> inline constexpr key_list<> references{};
+template <class Item>
+requires requires { typename Item::refers; }
+inline constexpr typename Item::refers references<Item>{};
+template <class Item> using references_of = std::remove_const_t<decltype(references<Item>)>;
 
 template <class Item> concept fixed_item = Item::min_size == Item::max_size && !is_contextual<Item>;
 

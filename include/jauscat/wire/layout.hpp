@@ -106,10 +106,49 @@ template <std::size_t Size> JAUSCAT_INLINE constexpr bool get_next(errc error, i
 }
 } // namespace detail
 
+namespace detail {
+
+/// Which of the items has the member; their number: none. The flags of a presence vector are known before all items.
+template <auto Member, class... Items> consteval std::size_t place_of() {
+    std::size_t place = 0;
+    static_cast<void>((... || (Items::keys::template holds<Member> || (++place, false))));
+    const bool is_flag = ((Items::keys::template holds<Member> && requires { Items::takes_bit; }) || ... || false);
+    return is_flag ? 0 : place;
+}
+template <class Item, class... Items> consteval bool refers_back(std::size_t place) {
+    return [place]<auto... Members>(key_list<Members...>) {
+        return (... && (place_of<Members, Items...>() <= place || place_of<Members, Items...>() == sizeof...(Items)));
+    }(references_of<Item>{});
+}
+/// No item refers to a member that comes behind it: it is decoded before.
+template <class... Items> consteval bool all_refer_back() {
+    if constexpr ((references_of<Items>::count + ... + 0) != 0) {
+        std::size_t place = 0;
+        return (... && refers_back<Items, Items...>(place++));
+    } else {
+        return true;
+    }
+}
+/// The members that items refer to and do not have themselves.
+template <class Keys, auto... Members> consteval auto outside(key_list<Members...>) {
+    return joined_keys<std::conditional_t<Keys::template holds<Members>, key_list<>, key_list<Members>>...>{};
+}
+template <class Keys, class... Items> consteval auto outer_references() {
+    if constexpr ((references_of<Items>::count + ... + 0) != 0)
+        return outside<Keys>(joined_keys<references_of<Items>...>{});
+    else
+        return key_list<>{};
+}
+
+} // namespace detail
+
 /// Items in wire order.
 template <class... Items> struct layout {
     static_assert((detail::checked_item<Items> && ... && true), "layout: an item lacks an operation");
     using keys = joined_keys<typename Items::keys...>;
+    using refers = decltype(detail::outer_references<keys, Items...>());
+    static_assert(detail::all_refer_back<Items...>(),
+                  "layout: a count, tag or flag stands behind what it is for; it must come before");
     static_assert((!Items::optional && ... && true), "layout: a std::optional member needs a presence vector");
     static constexpr std::size_t min_size = total_size(Items::min_size...);
     static constexpr std::size_t max_size = total_size(Items::max_size...);

@@ -47,6 +47,7 @@ template <auto Member> struct nested {
     using keys = key_list<Member>;
     using value_type = member_value_t<Member>;
     using inner = layout_of<value_type>;
+    using refers = references_of<inner>;
     static constexpr bool optional = is_optional_member<Member>;
     static constexpr std::size_t min_size = inner::min_size, max_size = inner::max_size;
     static constexpr bool contextual = inner::contextual;

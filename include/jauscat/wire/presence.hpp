@@ -81,6 +81,9 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     static constexpr bool tolerant = Unknown == unknown_bits::tolerated; ///< bits that it does not know
     using mask_type = word_for<Carrier>;
     using keys = joined_keys<typename Items::keys...>;
+    using refers = joined_keys<references_of<Items>...>;
+    static_assert(detail::all_refer_back<Items...>(),
+                  "layout: a count, tag or flag stands behind what it is for; it must come before");
     static constexpr bool optional = false;
     static constexpr std::size_t optional_count = (static_cast<std::size_t>(takes_bit<Items>) + ... + 0);
     static constexpr bool all_fixed = (fixed_item<Items> && ... && true);

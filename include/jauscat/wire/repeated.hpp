@@ -37,6 +37,7 @@ template <class Codec, bool Raw> struct value_form {
 /// How records are. Those of variable size are worth a call: inlined, a list in a list is compiled over and over.
 template <class T> struct record_form {
     using inner = layout_of<T>;
+    using refers = references_of<inner>;
     static constexpr std::size_t min_size = inner::min_size, max_size = inner::max_size;
     static constexpr bool fixed = fixed_item<inner>;
     [[gnu::noinline]] JAUSCAT_FLATTEN static constexpr std::size_t size(const auto& value, const auto& here) noexcept {
@@ -161,6 +162,7 @@ template <auto Member, class Count, class Element = record> struct repeated {
     static_assert(plain_form::min_size != 0 || Count::prefix_size == 1,
                   "repeated: an element may take no bytes at all, so it needs a count of one byte");
 
+    using refers = joined_keys<references_of<Count>, references_of<plain_form>>;
     static constexpr bool contextual = true; // elements look at what is around them
     static constexpr bool needs_memory = traits::elsewhere || [] {
         if constexpr (of_records)

@@ -9,9 +9,10 @@
 namespace jauscat::wire {
 
 /// The member that selects; further pointers lead into it.
-template <auto... Path> struct by {
+template <auto First, auto... Rest> struct by {
+    using refers = key_list<First>;
     /// The tag, out of the structures around.
-    JAUSCAT_INLINE static constexpr auto value(const auto& here) noexcept { return look_up<Path...>(here); }
+    JAUSCAT_INLINE static constexpr auto value(const auto& here) noexcept { return look_up<First, Rest...>(here); }
 };
 
 template <class T> inline constexpr bool is_variant = false;
@@ -159,6 +160,7 @@ template <auto Member, class Selector, class... Cases> struct selected {
     using value_type = member_value_t<Member>;
     using cases = std::tuple<Cases...>;
     using selector = Selector;
+    using refers = references_of<Selector>;
     static constexpr bool optional = is_optional_member<Member>;
     static constexpr bool contextual = true;
     template <class Value, bool Raw> using table = detail::case_table<Value, Raw, Cases...>;

@@ -57,6 +57,7 @@ template <auto Member, class Extent> struct octet_run {
 template <auto Member, class Count> struct counted_run : detail::octet_run<Member, Count> {
     using base = detail::octet_run<Member, Count>;
     using count_type = Count;
+    using refers = references_of<Count>;
     static_assert(detail::checked_count<Count, owner_t<Member>>,
                   "string: the extent is neither fixed, fixed_or_rest, rest and zero_terminated nor a count (it needs "
                   "prefix_size, contextual, put, get and peek)");

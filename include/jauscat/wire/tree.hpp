@@ -36,6 +36,7 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
     using node = owner_t<Children>;
     using value_type = node;
     using inner_layout = layout_of<node>;
+    using refers = references_of<inner_layout>;
     static constexpr std::size_t max_depth = MaxDepth;
     static constexpr bool optional = false;
     static constexpr bool contextual = true;
