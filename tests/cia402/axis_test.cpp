@@ -303,7 +303,7 @@ TEST_CASE("a drive that does not obey the quick stop fails the axis") {
     r.mine.quick_stop();
     r.cycle(2010);
     CHECK(r.mine.error() == axis_error{axis_errc::step_timeout, state::operation_enabled});
-    CHECK(r.mine.targets().controlword == 0x02);
+    CHECK(r.mine.targets().controlword == 0x00);
 }
 
 TEST_CASE("halt brings the axis to rest and keeps it enabled") {
@@ -728,4 +728,48 @@ TEST_CASE("an axis works with times that are never over, and with those that alw
         r.cycle(10);
         return r.mine.state() != axis_state::enabled;
     }());
+}
+
+TEST_CASE("a drive that ignores its controlwords loses its voltage after the step time, and the axis says what it "
+          "waits for") {
+    rig r{{.step_time = 100ms, .max_velocity = 1000, .acceleration = 10'000, .deceleration = 10'000, .standstill = 0}};
+    CHECK(r.mine.waits_for() == axis_wait::feedback);
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    CHECK(r.mine.waits_for() == axis_wait::nothing);
+    REQUIRE(r.mine.run_at(100));
+    r.follow(20);
+    r.drive.stuck = true;
+    r.mine.quick_stop();
+    r.cycle(2);
+    CHECK(r.mine.targets().controlword == control_of(command::quick_stop));
+    CHECK(r.mine.waits_for() == axis_wait::leaving_enabled);
+    r.cycle(200);
+    CHECK(r.mine.state() == axis_state::failed);
+    CHECK(r.mine.error().code == axis_errc::step_timeout);
+    CHECK(r.mine.targets().controlword == control_of(command::disable_voltage));
+    CHECK(describe(r.mine.waits_for()) == "the drive to leave operation enabled");
+    CHECK(describe(r.mine.state()) == "failed");
+}
+
+TEST_CASE("an axis at rest in quick stop active is disabled after the step time") {
+    rig r{{.step_time = 100ms, .standstill = 0}};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    r.mine.quick_stop();
+    r.cycle(50);
+    CHECK(r.drive.state == state::quick_stop_active);
+    r.cycle(100);
+    CHECK(r.drive.state == state::switch_on_disabled);
+    CHECK(r.mine.error().code == axis_errc::ok);
+}
+
+TEST_CASE("a drive that never shows bit 12 is taken to follow if the options say so") {
+    for (const bool shows : {true, false}) {
+        rig r{{.step_time = 100ms, .shows_following = shows}};
+        r.drive.bits = 0;
+        r.mine.set_mode(mode::cyclic_synchronous_position);
+        REQUIRE(r.mine.enable());
+        r.cycle(10);
+        CHECK((r.mine.state() == axis_state::enabled) == !shows);
+        CHECK(r.mine.waits_for() == (shows ? axis_wait::following : axis_wait::nothing));
+    }
 }

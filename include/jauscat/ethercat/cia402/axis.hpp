@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace jauscat::cia402 {
@@ -61,6 +62,9 @@ struct axis_options {
     double torque_slope{10'000};      ///< per mille of the rated torque a second
     std::int32_t standstill{10};      ///< units of velocity: up to this it is at rest
     double velocity_of_position{1.0}; ///< velocity units of one position unit a second; above 0
+    /// In cyclic synchronous position the drive sets bit 12 while it follows its target, and the axis waits for it.
+    /// False: some drives never set it, and are taken to follow as soon as they are enabled.
+    bool shows_following{true};
 };
 
 /// How a target has been accepted.
@@ -68,6 +72,35 @@ enum class acceptance : std::uint8_t {
     exact,
     limited, ///< a limit of axis_options is used in its place
 };
+
+/// What an axis waits for, if its drive has not done yet what it was told.
+enum class axis_wait : std::uint8_t {
+    nothing,
+    feedback,        ///< the drive's first inputs
+    next_state,      ///< the next state on the way to operation enabled
+    mode,            ///< the mode of operation
+    following,       ///< bit 12 of the statusword, in cyclic synchronous position
+    standstill,      ///< the end of the ramp or of the quick stop
+    leaving_enabled, ///< that the drive leaves operation enabled; after step_time the voltage is disabled
+    known_state,     ///< a statusword that stands for a state
+    reset,           ///< the end of the fault
+};
+
+/// The end of "waits for ...", for logs.
+[[nodiscard]] constexpr std::string_view describe(axis_wait what) noexcept {
+    switch (what) {
+    case axis_wait::nothing: return "nothing";
+    case axis_wait::feedback: return "the drive's inputs";
+    case axis_wait::next_state: return "the drive to take the next state";
+    case axis_wait::mode: return "the drive to show the mode of operation";
+    case axis_wait::following: return "bit 12 of the statusword: the drive follows its target position";
+    case axis_wait::standstill: return "the drive to stand still";
+    case axis_wait::leaving_enabled: return "the drive to leave operation enabled";
+    case axis_wait::known_state: return "a statusword that stands for a state";
+    case axis_wait::reset: return "the end of the fault";
+    }
+    return "nothing";
+}
 
 enum class axis_state : std::uint8_t {
     unknown,   ///< no feedback yet
@@ -78,6 +111,20 @@ enum class axis_state : std::uint8_t {
     resetting, ///< of a fault
     failed,    ///< see error(); at rest or on the way to it
 };
+
+/// The state in words, for logs.
+[[nodiscard]] constexpr std::string_view describe(axis_state state) noexcept {
+    switch (state) {
+    case axis_state::unknown: return "unknown";
+    case axis_state::disabled: return "disabled";
+    case axis_state::enabling: return "enabling";
+    case axis_state::enabled: return "enabled";
+    case axis_state::stopping: return "stopping";
+    case axis_state::resetting: return "resetting";
+    case axis_state::failed: return "failed";
+    }
+    return "unknown";
+}
 
 /// A state machine that takes one step for each observed status. Only `reset` ends a failure, and only `enable` starts
 /// motion again: no other event does.
@@ -94,6 +141,9 @@ class axis {
     [[nodiscard]] constexpr std::optional<cia402::state> drive_state() const noexcept { return seen_; }
 
     [[nodiscard]] JAUSCAT_CONSTEXPR axis_state state() const noexcept;
+
+    /// What the drive is to do next, also after a failure.
+    [[nodiscard]] JAUSCAT_CONSTEXPR axis_wait waits_for() const noexcept;
 
     /// To operation enabled, one transition for each status. Error: has_failed.
     JAUSCAT_CONSTEXPR result<void, axis_errc> enable() noexcept;
@@ -189,6 +239,8 @@ class axis {
     [[nodiscard]] JAUSCAT_CONSTEXPR bool has_ramp_time(time_point now) const noexcept;
     /// The ramp to rest has ended; without torque an axis may coast.
     [[nodiscard]] JAUSCAT_CONSTEXPR bool is_resting() const noexcept;
+    /// The drive follows its target position, or does not say it.
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool follows() const noexcept;
 
     JAUSCAT_CONSTEXPR void move(time_point now) noexcept;
     /// Targets that do not move the axis, whichever mode it is in.

@@ -14,6 +14,27 @@ JAUSCAT_CONSTEXPR axis_state axis::state() const noexcept {
     return has_torque ? axis_state::stopping : axis_state::disabled;
 }
 
+JAUSCAT_CONSTEXPR axis_wait axis::waits_for() const noexcept {
+    if (!has_feedback_) return axis_wait::feedback;
+    if (reset_ != reset_phase::none || has_fault()) return axis_wait::reset;
+    if (!seen_) return axis_wait::known_state;
+    const bool is_enabled = *seen_ == ds::operation_enabled;
+    if (goal_ == goal::on) {
+        if (!is_enabled || !was_enabled_) return axis_wait::next_state;
+        if (feedback_.mode != targets_.mode) return axis_wait::mode;
+        return follows() ? axis_wait::nothing : axis_wait::following;
+    }
+    if (is_enabled)
+        return is_at_standstill() || goal_ == goal::quick_stop ? axis_wait::leaving_enabled : axis_wait::standstill;
+    if (*seen_ == ds::quick_stop_active && !is_at_standstill()) return axis_wait::standstill;
+    return axis_wait::nothing;
+}
+
+JAUSCAT_CONSTEXPR bool axis::follows() const noexcept {
+    return targets_.mode != mode::cyclic_synchronous_position || !options_.shows_following ||
+           has_bit(status_bits::follows_target);
+}
+
 JAUSCAT_CONSTEXPR result<void, axis_errc> axis::enable() noexcept {
     if (error_.code != axis_errc::ok) return axis_errc::has_failed;
     if (goal_ != goal::on) change_goal(goal::on);
@@ -274,10 +295,13 @@ JAUSCAT_CONSTEXPR std::uint16_t axis::next_control(time_point now) noexcept {
                                   (!was_enabled_ && (now - goal_since_) / steps_to_on >= options_.step_time));
     case goal::off: return control_towards_off(now, is_late);
     case goal::quick_stop:
-        if (is_stop_late && (!seen_ || *seen_ == ds::operation_enabled)) {
+        if (is_stop_late && (!seen_ || *seen_ == ds::operation_enabled)) { // it does not do as it is told
             fail(axis_errc::step_timeout);
-            if (!seen_) return control_of(command::disable_voltage);
+            return control_of(command::disable_voltage);
         }
+        // At rest, and told for long enough: no torque is needed any more.
+        if (is_late && seen_ == ds::quick_stop_active && is_at_standstill())
+            return control_of(command::disable_voltage);
         if (now - goal_since_ >= options_.rest_time && seen_ == ds::quick_stop_active && !is_at_standstill())
             fail(axis_errc::step_timeout); // it is told, and brakes on
         break;
@@ -394,8 +418,7 @@ JAUSCAT_CONSTEXPR void axis::hold() noexcept {
 
 JAUSCAT_CONSTEXPR bool axis::synchronise(time_point now) noexcept {
     const bool shows_mode = feedback_.mode == targets_.mode;
-    const bool follows = targets_.mode != mode::cyclic_synchronous_position || has_bit(status_bits::follows_target);
-    if (shows_mode && follows) {
+    if (shows_mode && follows()) {
         if (!is_synchronised_ && !is_braking_) take_over();
         is_synchronised_ = true;
         is_braking_ = false;
