@@ -283,14 +283,39 @@ void leave_op(jauscat::net::any_link& link, ethercat::master& master, const std:
     }
 }
 
-/// Cycles until they follow the reference clock.
-void wait_for_lock(auto& cycles, const ethercat::clock_cycle& clocks) {
+std::string in_microseconds(std::chrono::nanoseconds time) {
+    return std::to_string(std::chrono::duration_cast<microseconds>(time).count()) + " us";
+}
+
+/// Cycles until they follow the reference clock, for at most `limit`. Says each second how far they are.
+void wait_for_lock(auto& cycles, const ethercat::clock_cycle& clocks, seconds limit) {
     std::uint64_t count = 0;
-    while (!clocks.control().is_locked()) {
+    const auto begin = std::chrono::steady_clock::now();
+    seconds told{0};
+    const auto& control = clocks.control();
+    const auto how_far = [&] {
+        return "frames pass the reference clock " + in_microseconds(std::chrono::abs(control.mean_error())) +
+               " off their phase, " + in_microseconds(control.deviation()) + " on average; it has not answered " +
+               std::to_string(clocks.statistics().unanswered) + " of " + std::to_string(count) + " cycles";
+    };
+    while (!control.is_locked()) {
         cycles.run([] {});
         if (example::stop_requested) throw std::runtime_error{"stopped before the cycles followed the reference clock"};
         if (clocks.is_lost()) throw std::runtime_error{"no slave answers as the reference clock any longer"};
         ++count;
+        const auto waited = std::chrono::steady_clock::now() - begin;
+        if (waited >= limit)
+            throw std::runtime_error{"after " + std::to_string(limit.count()) +
+                                     " s the cycles do not follow the reference clock (--clock-limit): " + how_far() +
+                                     "; try --spin 100, --priority 80, or a longer --period"};
+        if (waited < told + seconds{1}) continue;
+        told = std::chrono::duration_cast<seconds>(waited);
+        example::write_event(example::events::clocks_settling,
+                             {{"seconds", told.count()},
+                              {"mean_error_ns", control.mean_error().count()},
+                              {"deviation_ns", control.deviation().count()},
+                              {"unanswered", clocks.statistics().unanswered}},
+                             "cyclic: waits for the clocks: " + how_far() + "\n");
     }
     example::write_event(example::events::clocks_locked, {{"cycles", count}, {"drift_ppb", clocks.control().drift()}},
                          "cyclic: after " + std::to_string(count) +
@@ -335,7 +360,7 @@ int measure(jauscat::net::any_link& link, const auto& values) {
         cycles.set_clocks(&*clocks);
     }
     try {
-        if (clocks) wait_for_lock(cycles, *clocks);
+        if (clocks) wait_for_lock(cycles, *clocks, seconds{values["clock-limit"].template as<unsigned>()});
         for (const auto station : stations) { // outputs have to flow while a slave goes to OP
             const auto give_up_on_stop = [&](const auto&) {
                 if (example::stop_requested) master.cancel(ethercat::master_errc::timeout);
@@ -414,6 +439,7 @@ int main(int argc, char** argv) {
             ("priority", po::value<unsigned>()->default_value(0), "real-time priority, 1 to 99; 0: none")
             ("upload-every", po::value<unsigned>()->default_value(1000), "milliseconds between two SDO uploads; 0: none")
             ("clocks", po::bool_switch(), "set up distributed clocks and SYNC0; the cycles follow the reference clock")
+            ("clock-limit", po::value<unsigned>()->default_value(30), "seconds for which --clocks waits until the cycles follow")
             ("watchdog", po::value<unsigned>()->default_value(100), "milliseconds without outputs after which a slave leaves OP, 1 to 6553")
             ("station", po::value<std::uint16_t>()->default_value(1), "station address of the first slave; the others follow")
             ("frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");

@@ -148,6 +148,7 @@ inline constexpr event_kind line_refused{"line_refused"};
 inline constexpr event_kind memory_not_locked{"memory_not_locked"};
 inline constexpr event_kind slave_configured{"slave_configured"};
 inline constexpr event_kind clock_set_up{"clock_set_up"};
+inline constexpr event_kind clocks_settling{"clocks_settling"};
 inline constexpr event_kind clocks_locked{"clocks_locked"};
 inline constexpr event_kind slave_stopped{"slave_stopped"};
 inline constexpr event_kind slave_runs_again{"slave_runs_again"};

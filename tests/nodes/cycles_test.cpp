@@ -148,14 +148,25 @@ TEST_CASE("cyclic follows the reference clock of a bus, however busy the machine
     robot r;
     r.start_bus(r.link + words{"--slaves", "3", "--outputs", "2", "--inputs", "2", "--clock", "64", "--drift", "100"});
     auto& one = r.start_program("cyclic", words{"--ethercat-port", std::to_string(r.slave_port), "--period",
-                                                is_slow() ? "20000" : "2000", "--clocks", "--frame-timeout", "1000",
-                                                "--watchdog", "5000", "--seconds", "600"});
+                                                is_slow() ? "20000" : "2000", "--clocks", "--clock-limit", "6000",
+                                                "--frame-timeout", "1000", "--watchdog", "5000", "--seconds", "600"});
     CHECK(one.wait_for("clock_set_up", {{"station", 3}})["delay_ns"] > 0);
     const auto locked = one.wait_for("clocks_locked");
     CHECK(locked["drift_ppb"] > 0); // the first clock is slow by 100 ppm
     one.wait_for("ready", {{"slaves", 3}});
     one.signal(SIGINT);
     CHECK(one.wait_for("measured").contains("clock_error_median_us"));
+}
+
+TEST_CASE("cyclic waits for clocks up to a limit, and says how far they are") {
+    robot r;
+    r.start_bus(r.link + words{"--slaves", "2", "--outputs", "2", "--clock", "64"});
+    auto& one = r.run(1, "cyclic",
+                      {"--ethercat-port", std::to_string(r.slave_port), "--clocks", "--clock-limit", "0",
+                       "--frame-timeout", "1000", "--watchdog", "5000"});
+    const auto text = one.wait_for("failed")["text"].get<std::string>();
+    CHECK(text.find("--clock-limit") != std::string::npos);
+    CHECK(text.find("off their phase") != std::string::npos);
 }
 
 TEST_CASE("cyclic reports when slaves leave OP because another master resets them") {
@@ -190,16 +201,16 @@ TEST_CASE("a bus of emulated slaves survives the end of its master, and refuses 
     CHECK(bus.has("ready", {{"slaves", 5}}));
     // A master that dies: the watchdog of each slave that had its outputs.
     auto& master = r.start_program("cyclic", cyclic_options(r, {"--seconds", "600"}));
-    bus.wait_for("slave_state", {{"slave", 5}, {"state", "op"}});
+    bus.wait_for("slave_state", {{"slave", 4}, {"state", "op"}});
     master.kill();
-    bus.wait_for("slave_state", {{"slave", 5}, {"state", "safe_op"}, {"error", true}, {"code", 0x001B}});
+    bus.wait_for("slave_state", {{"slave", 4}, {"state", "safe_op"}, {"error", true}, {"code", 0x001B}});
     // The next one brings them up again.
     auto& next =
         r.run(0, "cyclic", cyclic_options(r, {"--watchdog", "2000", "--seconds", "2", "--upload-every", "100"}));
     CHECK(next.has("slave_configured", {{"station", 5}, {"outputs", 10}, {"inputs", 7}}));
     CHECK(next.has("measured", {{"incomplete", 0}, {"failed_uploads", 0}}));
-    CHECK(bus.has("station_address", {{"slave", 5}, {"station", 5}}));
-    bus.wait_for("slave_state", {{"slave", 5}, {"state", "pre_op"}});
+    CHECK(bus.has("station_address", {{"slave", 4}, {"station", 5}}));
+    bus.wait_for("slave_state", {{"slave", 4}, {"state", "pre_op"}});
     REQUIRE(bus.end(SIGINT) == 0);
     CHECK(bus.has("stopped"));
     for (const words& wrong :
