@@ -9,6 +9,7 @@
 #include <jauscat/schema/ethercat/hilscher_info.hpp>
 #include <jauscat/schema/ethercat/hilscher_state.hpp>
 #include <jauscat/text/packet_status_text.hpp>
+#include <jauscat/version.hpp>
 
 #include <array>
 #include <iostream>
@@ -161,6 +162,8 @@ class emulated_ring {
 } // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 2 && std::string_view{argv[1]} == "--version")
+        return std::cout << "card_packets (JausCat) " << JAUSCAT_VERSION_TEXT << '\n', 0;
     if (argc > 2 || (argc == 2 && argv[1][0] == '-')) {
         std::cerr << "card_packets [INTERFACE]\n";
         return 2;

@@ -1,11 +1,13 @@
 // An EtherCAT bus: lists the objects of its first slave.
 //     objects udp:127.0.0.1
 #include <jauscat/app.hpp>
+#include <jauscat/version.hpp>
 
 #include <boost/asio/co_spawn.hpp>
 
 #include <exception>
 #include <iostream>
+#include <string_view>
 
 namespace asio = boost::asio;
 
@@ -24,6 +26,8 @@ asio::awaitable<void> list_objects(jauscat::bus& bus) {
 // [bus end]
 
 int main(int argc, char** argv) try {
+    if (argc == 2 && std::string_view{argv[1]} == "--version")
+        return std::cout << "objects (JausCat) " << JAUSCAT_VERSION_TEXT << '\n', 0;
     if (argc != 2 || argv[1][0] == '-') return std::cerr << "objects INTERFACE, such as eth0 or udp:127.0.0.1\n", 2;
     asio::io_context context;
     jauscat::bus bus{context, argv[1]};

@@ -1,6 +1,7 @@
 // Two drives in OP: their process data once a millisecond.
 //     two_drives eth0
 #include <jauscat/app.hpp>
+#include <jauscat/version.hpp>
 
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -9,6 +10,7 @@
 #include <chrono>
 #include <exception>
 #include <iostream>
+#include <string_view>
 
 namespace asio = boost::asio;
 
@@ -29,6 +31,8 @@ asio::awaitable<void> run(jauscat::bus& bus) {
 // [run end]
 
 int main(int argc, char** argv) try {
+    if (argc == 2 && std::string_view{argv[1]} == "--version")
+        return std::cout << "two_drives (JausCat) " << JAUSCAT_VERSION_TEXT << '\n', 0;
     if (argc != 2) return std::cerr << "two_drives INTERFACE, such as eth0 or udp:127.0.0.1\n", 2;
     asio::io_context context;
     jauscat::bus bus{context, argv[1], {.thread = true}};

@@ -438,7 +438,7 @@ class Demonstration:
                     self.arm_holds_that()
 
         def six_start():
-            self.start_command("drives", "emulated_drives", f"udp:{self.drives_port}")
+            self.start_command("drives", "emulated_drives", f"udp:127.0.0.1:{self.drives_port}")
             self.start("six", "robot_controller", "--this", "d", "--cycle", "10000", *patience)
             self.require("six", "ready", slave_up=True)
             self.require("six", "state_changed", address="4.2.54.1", to="ready")

@@ -130,9 +130,9 @@ class written_objects {
 /// One slave with its objects, and what was logged about it.
 class node {
   public:
-    node(std::size_t number, const ethercat::slave_description& description, ethercat::coe_options options,
+    node(std::size_t position, const ethercat::slave_description& description, ethercat::coe_options options,
          const std::vector<std::pair<object_place, unsigned long>>& more)
-        : say_{"slave " + std::to_string(number), {{"slave", number}}},
+        : say_{"slave " + std::to_string(position), {{"slave", position}}},
           dictionary_{description, prepare(more)},
           memory_(objects_.largest()),
           slave_{description, dictionary_, with_memory(options)} {
@@ -142,8 +142,8 @@ class node {
         objects_.on_write = [this](auto... what) { show_write(what...); };
     }
     /// The slave of a file, which outlives it.
-    node(std::size_t number, const esi::emulated_device& file, ethercat::coe_options options)
-        : say_{"slave " + std::to_string(number), {{"slave", number}}},
+    node(std::size_t position, const esi::emulated_device& file, ethercat::coe_options options)
+        : say_{"slave " + std::to_string(position), {{"slave", position}}},
           listed_{file.components(), messages_},
           mapped_{file.description(), listed_},
           dictionary_{file.description(), mapped_},
@@ -353,7 +353,7 @@ int main(int argc, char** argv) {
         const auto count = within("slaves", values["slaves"].as<std::size_t>(), 1, 100);
         for (std::size_t i = 1; i <= count; ++i) {
             if (file) {
-                nodes.emplace_back(i, *file, rules);
+                nodes.emplace_back(i - 1, *file, rules);
                 continue;
             }
             const ethercat::slave_description description{.vendor = number("vendor"),
@@ -369,7 +369,7 @@ int main(int argc, char** argv) {
                                                           .clock = clock,
                                                           .sync_missed_limit =
                                                               values["sync-missed"].as<std::uint16_t>()};
-            nodes.emplace_back(i, description, rules, objects);
+            nodes.emplace_back(i - 1, description, rules, objects);
             // Up to the drift, evenly: the first is slow by all of it, the last fast.
             const auto step = static_cast<std::int64_t>(i - 1) * 2 * drift / static_cast<std::int64_t>(count);
             nodes.back().slave().set_clock_error(

@@ -108,14 +108,15 @@ std::optional<order> query_after(const order& command) {
 bool has_fields_of(const order& command, std::span<const std::byte> report) {
     const auto fields = [](std::uint16_t command_code, std::span<const std::byte> body) {
         const auto* const type = example::known_messages().find(command_code);
+        if (type == nullptr) return text::json::object();
         const auto message = type->decode(body);
         return message ? jauscat::catalogue::to_json(*message) : text::json::object();
     };
     const auto told = fields(command.command_code, command.body);
     const auto found = fields(static_cast<std::uint16_t>(command.command_code + 0x4000), report);
-    return !told.empty() && std::ranges::all_of(told.items(), [&](const auto& field) {
-        return found.contains(field.key()) && found[field.key()] == field.value();
-    });
+    for (const auto& [name, value] : told.items())
+        if (!found.contains(name) || found[name] != value) return false;
+    return !told.empty();
 }
 
 /// For a peer that never acknowledges: asks for the report of what the command has set.

@@ -1,14 +1,13 @@
 // Six emulated CiA 402 drives, for masters to be tried against: in UDP, or on a network interface as on a cable.
 //     emulated_drives
-//     emulated_drives udp:34981
+//     emulated_drives udp:127.0.0.1:34981
 //     emulated_drives eth1
 #include <jauscat/ethercat/cia402/emulated_drive.hpp>
-#include <jauscat/ethercat/link.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/limited_log.hpp>
-#include <jauscat/net/link/raw_link.hpp>
-#include <jauscat/net/link/udp_link.hpp>
+#include <jauscat/net/link/any_link.hpp>
 #include <jauscat/net/now.hpp>
+#include <jauscat/version.hpp>
 
 #include <array>
 #include <chrono>
@@ -30,7 +29,7 @@ struct device {
     ethercat::slave slave{cia402::drive_description<>, objects};
 };
 
-template <ethercat::link Link> void serve(Link& link) {
+void serve(net::any_link& link) {
     std::array<device, 6> ring{};
     for (auto& each : ring) each.slave.set_downstream(&each != &ring.back());
     net::limited_log limited{[](std::string_view line) { std::cout << line << std::endl; }};
@@ -52,15 +51,11 @@ template <ethercat::link Link> void serve(Link& link) {
 }
 
 int main(int argc, char** argv) try {
-    if (argc > 2 || (argc == 2 && argv[1][0] == '-')) return std::cerr << "emulated_drives [udp:PORT|INTERFACE]\n", 2;
-    const std::string where = argc == 1 ? "udp:34980" : argv[1];
-    if (where.starts_with("udp:")) {
-        auto link = net::udp_link::serve(static_cast<std::uint16_t>(std::stoul(where.substr(4))), "127.0.0.1");
-        serve(link);
-    } else {
-        net::raw_link link{where};
-        serve(link);
-    }
+    const std::string where = argc < 2 ? "udp:127.0.0.1" : argv[1];
+    if (where == "--version") return std::cout << "emulated_drives (JausCat) " << JAUSCAT_VERSION_TEXT << '\n', 0;
+    if (argc > 2 || where.starts_with('-')) return std::cerr << "emulated_drives [udp:HOST[:PORT]|INTERFACE]\n", 2;
+    const auto link = net::open_slaves_link(where);
+    serve(*link);
 } catch (const std::exception& problem) {
     return std::cerr << "emulated_drives: " << problem.what() << '\n', 1;
 }

@@ -1,19 +1,20 @@
 // Three emulated EtherCAT slaves, for masters to be tried against: in UDP, or on a network interface as on a cable.
 //     emulated_slaves
+//     emulated_slaves udp:127.0.0.1:34981
 //     emulated_slaves eth1
-#include <jauscat/ethercat/link.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/limited_log.hpp>
-#include <jauscat/net/link/raw_link.hpp>
-#include <jauscat/net/link/udp_link.hpp>
+#include <jauscat/net/link/any_link.hpp>
 #include <jauscat/net/now.hpp>
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/value.hpp>
+#include <jauscat/version.hpp>
 
 #include <array>
 #include <chrono>
 #include <iostream>
+#include <string>
 
 namespace ethercat = jauscat::ethercat;
 namespace net = jauscat::net;
@@ -55,7 +56,7 @@ struct device {
     ethercat::slave slave{description, objects};
 };
 
-template <ethercat::link Link> void serve(Link& link) {
+void serve(net::any_link& link) {
     std::array<device, 3> ring{device{1}, device{2}, device{3}};
     for (auto& each : ring) each.slave.set_downstream(&each != &ring.back());
     std::cout << "three slaves (Ctrl-C ends)" << std::endl;
@@ -73,14 +74,11 @@ template <ethercat::link Link> void serve(Link& link) {
 }
 
 int main(int argc, char** argv) try {
-    if (argc > 2 || (argc == 2 && argv[1][0] == '-')) return std::cerr << "emulated_slaves [INTERFACE]\n", 2;
-    if (argc == 1) {
-        auto link = net::udp_link::serve(net::udp_link::ethercat_port, "127.0.0.1");
-        serve(link);
-    } else {
-        net::raw_link link{argv[1]};
-        serve(link);
-    }
+    const std::string where = argc < 2 ? "udp:127.0.0.1" : argv[1];
+    if (where == "--version") return std::cout << "emulated_slaves (JausCat) " << JAUSCAT_VERSION_TEXT << '\n', 0;
+    if (argc > 2 || where.starts_with('-')) return std::cerr << "emulated_slaves [udp:HOST[:PORT]|INTERFACE]\n", 2;
+    const auto link = net::open_slaves_link(where);
+    serve(*link);
 } catch (const std::exception& problem) {
     return std::cerr << "emulated_slaves: " << problem.what() << '\n', 1;
 }

@@ -7,9 +7,11 @@
 #include <jauscat/net/link/run_master.hpp>
 #include <jauscat/net/link/udp_link.hpp>
 #include <jauscat/text/hex.hpp>
+#include <jauscat/version.hpp>
 
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ethercat = jauscat::ethercat;
@@ -64,6 +66,8 @@ template <ethercat::link Link> int write_and_read(Link& link, const object& what
 }
 
 int main(int argc, char** argv) try {
+    if (argc == 2 && std::string_view{argv[1]} == "--version")
+        return std::cout << "sdo_download (JausCat) " << JAUSCAT_VERSION_TEXT << '\n', 0;
     if (argc < 5) return std::cerr << usage, 2;
     const std::string interface = argv[1];
     const auto number = [&](int i, unsigned long most) {

@@ -8,11 +8,13 @@
 #include <jauscat/net/link/run_master.hpp>
 #include <jauscat/net/link/udp_link.hpp>
 #include <jauscat/text/hex.hpp>
+#include <jauscat/version.hpp>
 
 #include <array>
 #include <iostream>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace ethercat = jauscat::ethercat;
 namespace net = jauscat::net;
@@ -69,6 +71,8 @@ template <ethercat::link Link> int read(Link& link, std::uint16_t index, std::ui
 }
 
 int main(int argc, char** argv) try {
+    if (argc == 2 && std::string_view{argv[1]} == "--version")
+        return std::cout << "sdo_read (JausCat) " << JAUSCAT_VERSION_TEXT << '\n', 0;
     if (argc != 4) return std::cerr << usage, 2;
     const std::string interface = argv[1];
     const auto number = [&](int i, unsigned long most) {

@@ -91,8 +91,7 @@ boost::program_options::variables_map parse(int argc, char** argv,
         std::exit(end_of_output(name.c_str(), success));
     }
     if (values.count("version") != 0) {
-        std::cout << name << " (JausCat) " << JAUSCAT_VERSION_MAJOR << '.' << JAUSCAT_VERSION_MINOR << '.'
-                  << JAUSCAT_VERSION_PATCH << "\n";
+        std::cout << name << " (JausCat) " << JAUSCAT_VERSION_TEXT << "\n";
         std::exit(end_of_output(name.c_str(), success));
     }
     return values;

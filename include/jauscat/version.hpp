@@ -10,3 +10,9 @@
 #define JAUSCAT_VERSION_PATCH 0
 /// All of it in one integer that grows: `#if JAUSCAT_VERSION >= 10203` asks for 1.2.3.
 #define JAUSCAT_VERSION (JAUSCAT_VERSION_MAJOR * 10000 + JAUSCAT_VERSION_MINOR * 100 + JAUSCAT_VERSION_PATCH)
+
+#define JAUSCAT_VERSION_QUOTED(major, minor, patch) #major "." #minor "." #patch
+#define JAUSCAT_VERSION_EXPANDED(major, minor, patch) JAUSCAT_VERSION_QUOTED(major, minor, patch)
+/// `"1.2.3"`.
+#define JAUSCAT_VERSION_TEXT                                                                                           \
+    JAUSCAT_VERSION_EXPANDED(JAUSCAT_VERSION_MAJOR, JAUSCAT_VERSION_MINOR, JAUSCAT_VERSION_PATCH)

@@ -730,4 +730,34 @@ TEST_CASE("a node runs in a context that has run out of work before") {
     CHECK(calls == 3);
 }
 
+TEST_CASE("a node whose port is in use does not begin") {
+    two_nodes test;
+    jauscat::node first{test.context, test.options("robot")};
+    first.start();
+    jauscat::node second{test.context, test.options("robot")};
+    jauscat::component driver{second, {.id = 33}};
+    int ready = 0, stopped = 0;
+    driver.when_ready([&] { ++ready; });
+    driver.when_stopped([&] { ++stopped; });
+    driver.ready();
+    CHECK_THROWS_AS(second.start(), jauscat::net::open_error);
+    CHECK(ready == 0);
+    first.stop();
+    second.start();
+    CHECK(test.until([&] { return ready == 1; }));
+}
+
+TEST_CASE("a component outside of its system's jausip is refused at the start") {
+    two_nodes test;
+    auto options = test.options("robot");
+    const auto narrow = options.config_text.find("2.0.0.0");
+    options.config_text.replace(narrow, 7, "2.1.33.0");
+    jauscat::node robot{test.context, options};
+    jauscat::component driver{robot, {.id = 33}};
+    jauscat::component camera{robot, {.id = 37}};
+    CHECK_THROWS_WITH(robot.start(),
+                      "the component 2.1.37.1 is outside of the jausip 2.1.33.0 of its system \"robot\": "
+                      "no message would come to it");
+}
+
 } // namespace

@@ -157,7 +157,7 @@ on_a_bus() {
     kill $bus && wait $bus || fail "the bus did not end well: $(cat "$work/bus")"
     says "with another working counter 0"
     says "failed 0"
-    grep -q "slave 2: state op" "$work/bus" || fail "it was not in OP: $(cat "$work/bus")"
+    grep -q "slave 1: state op" "$work/bus" || fail "it was not in OP: $(cat "$work/bus")"
     tool=$folder/emulated_bus
     expect 1 --esi "$work/none.xml"
     says "none.xml: cannot be read: No such file or directory"

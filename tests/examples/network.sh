@@ -128,8 +128,10 @@ six_drives_are_an_arm() { # six_joints
     done
     grep -q "slave 5 is lost" "$work/server.log" || fail "a lost drive is not told of"
     expect 1 "refused by the receiver (NAK)" "$bin/move_joints" "${config[@]}" --this a # the component is in Failure
-    expect 2 "emulated_drives [udp:PORT|INTERFACE]" "$bin/emulated_drives" --help
+    expect 2 "emulated_drives [udp:HOST[:PORT]|INTERFACE]" "$bin/emulated_drives" --help
     expect 1 "nix0" "$bin/emulated_drives" nix0
+    expect 1 "the port is not 1 to 65535" "$bin/emulated_drives" udp:127.0.0.1:abc
+    expect 0 "emulated_drives (JausCat)" "$bin/emulated_drives" --version
 }
 a_component_of_parts_answers() { # jaus_node
     is_a_component "" "$bin/jaus_node" "$bin/JausConfig.xml" b

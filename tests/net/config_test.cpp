@@ -225,3 +225,28 @@ TEST_CASE("a system's missing, unknown, repeated or invalid value is refused wit
     CHECK(complaint_about("<sytem name='b' jausip='2.0.0.0' ip='10.0.0.2' port='1'/>") ==
           "test.xml:3: unknown \"sytem\" in <jausconfig>; remove it or correct its name");
 }
+
+TEST_CASE("all mistakes of a configuration are told in one run, by line") {
+    const std::string text = "<jausconfig thissystem='a'>\n"
+                             "<system name='a' jausip='1.0.0' ip='127.0.0.1' port='0' colour='red'/>\n" // line 2
+                             "<system name='b' jausip='2.0.0.0' ip='127.0.0'\n"
+                             "        port='3794' framing='raw'>\n"
+                             "  <limits rate='many'/>\n" // line 5
+                             "  <component id='300'/>\n"
+                             "  <component id='33' authority='high'/>\n"
+                             "</system>\n"
+                             "<system name='c' jausip='3.0.0.0'/>\n"
+                             "</jausconfig>\n";
+    CHECK(
+        complaint(text) ==
+        "test.xml:2: unknown \"colour\" in <system>; remove it or correct its name\n"
+        "test.xml:2: jausip \"1.0.0\" is not subsystem.node.component.instance, each 0 (all) to 254, such as 1.0.0.0\n"
+        "test.xml:2: port \"0\" is not a UDP port, 1 to 65535\n"
+        "test.xml:3: ip \"127.0.0\" is not an IP address, such as 127.0.0.1\n"
+        "test.xml:3: framing \"raw\" is unknown; use bare, JAUS01.0 or judp1\n"
+        "test.xml:5: rate \"many\" is not a number of messages each second (0: no limit), 0 to 1000000000\n"
+        "test.xml:6: id \"300\" is not a component's ID, 1 to 254\n"
+        "test.xml:7: authority \"high\" is not an authority code, 0 to 255\n"
+        "test.xml:9: this <system> needs <ip>\n"
+        "test.xml:9: this <system> needs <port>");
+}

@@ -109,7 +109,7 @@ TEST_CASE("packets of a card's API are executed on a wire") {
             {"--link", "raw", "--interface", "if_s", "--slaves", "3", "--outputs", "4", "--mailbox-size", "24"});
         lists({"slaves: 3", "0x1018 \"Identity\", highest subindex 4",
                "0x2003 \"value of 28 bytes\", highest subindex 0", "0x7000 \"record\", highest subindex 4"});
-        bus.wait_for("slave_state", {{"slave", 1}, {"state", "safe_op"}});
+        bus.wait_for("slave_state", {{"slave", 0}, {"state", "safe_op"}});
     }
 }
 

@@ -1,6 +1,7 @@
 #include "ecat/process_objects.hpp"
 
 #include "ecat/mailbox.hpp"
+#include "ecat/object_types.hpp"
 #include "ecat/sii.hpp"
 #include "ecat/value.hpp"
 #include <jauscat/ethercat/master/sii_survey.hpp>

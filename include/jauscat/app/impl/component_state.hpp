@@ -68,6 +68,8 @@ class component_state {
     [[nodiscard]] node_state& node() noexcept { return *node_; }
     [[nodiscard]] clients& others() noexcept;
     /// A large data set of this component was acknowledged, or not.
+    /// The node works: tells the application what the component has become.
+    void begin();
     void on_appeared(const jaus::address& who); ///< a component of the network
     void on_large_delivered(const jaus::header& head, jaus::delivered what);
     /// Outlives the node.

@@ -366,7 +366,12 @@ JAUSCAT_DECL void component_state::start(const jaus::identity& identity, bool be
     core_ = std::make_unique<core>(*this, identity, beats);
     is_running_ = true;
     for (auto& one : periodic) one.due = now;
+}
+
+JAUSCAT_DECL void component_state::begin() {
+    if (!is_running_) return; // another one has stopped the node
     settle();
+    node_->wake();
 }
 
 JAUSCAT_DECL void component_state::stop() noexcept {

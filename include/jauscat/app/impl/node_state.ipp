@@ -5,7 +5,9 @@
 #include <jauscat/app/node.hpp>
 #include <jauscat/net/config/read_jaus_config.hpp>
 #include <jauscat/net/detail/endpoint_text.hpp>
+#include <jauscat/net/detail/quoted.hpp>
 #include <jauscat/net/node/detail/configured_identity.hpp>
+#include <jauscat/version.hpp>
 
 #include <algorithm>
 #include <csignal>
@@ -108,6 +110,11 @@ JAUSCAT_DECL void node_state::start() {
         if (one->is_closed() && one->is_added) net_.remove(one->self());
         return one->is_closed();
     });
+    for (const auto& one : components_)
+        if (!one->is_closed() && !net::detail::covers(config.me().jausip, one->self()))
+            throw std::invalid_argument{"the component " + net::to_jausip(one->self()) + " is outside of the jausip " +
+                                        net::to_jausip(config.me().jausip) + " of its system " +
+                                        net::detail::quoted(config.me().name) + ": no message would come to it"};
     for (const auto& one : components_) {
         one->start(net::detail::identity_of(config, one->self(), one->identity()), !has_manager, now);
         if (!std::exchange(one->is_added, true)) net_.add(*one, nothing_more);
@@ -118,6 +125,7 @@ JAUSCAT_DECL void node_state::start() {
         for (const auto& one : components_) one->stop();
         throw;
     }
+    for (const auto& one : components_) one->begin();
     for (const auto& one : parts_) one.start();
 }
 
@@ -221,11 +229,16 @@ inline node_options options_from(int argc, const char* const* argv, node_options
         const std::string_view word{argv[i]};
         const auto equals = word.find('=');
         const auto option = word.substr(0, equals);
+        if (word == "--version") {
+            std::cout << name << " (JausCat) " << JAUSCAT_VERSION_TEXT << "\n";
+            std::exit(0);
+        }
         if (word == "--help" || word == "-h") {
             std::cout << name << " [--config FILE] [--this SYSTEM]\n\n"
                       << "  --config FILE   configuration file (default " << options.config << ")\n"
                       << "  --this SYSTEM   the system of the file that this program is, instead of its <thissystem>\n"
-                      << "  --help          show this text\n\nExample:\n  " << name
+                      << "  --help          show this text\n"
+                      << "  --version       show the version of JausCat\n\nExample:\n  " << name
                       << " --config JausConfig.xml --this b\n\nIt works until Ctrl-C.\n";
             std::exit(0);
         }

@@ -38,12 +38,12 @@ inline ethercat_entry config_ethercat(const config_source& source, pugi::xml_nod
     source.need(node, {interface_name});
     const auto line = source.line_of(node);
     if (system.jausip.subsystem == 0 || system.jausip.node == 0)
-        source.fail(config_errc::inconsistent, node,
+        source.note(config_errc::inconsistent, node,
                     "the jausip " + to_jausip(system.jausip) +
                         " of a <system> with <ethercat> must name its node, such as 2.2.0.0: the slave has its "
                         "number as station address");
     ethercat_entry made{.controller = controller.given ? std::string{controller.text} : system.name, .line = line};
-    config_interface(source, interface_name, made);
+    source.attempt([&] { config_interface(source, interface_name, made); });
     made.slaves = config_slaves(source, node);
     return made;
 }
@@ -54,11 +54,11 @@ inline void check_ethercat(const config_source& source, const jaus_config& confi
         if (!system.ethercat) continue;
         const auto& mine = *system.ethercat;
         if (!config.find(mine.controller))
-            source.fail(config_errc::no_such_system, "controller", mine.line, no_such_system(config, mine.controller));
+            source.note(config_errc::no_such_system, "controller", mine.line, no_such_system(config, mine.controller));
         for (const auto& other : config.systems) {
             if (&other == &system) break;
             if (other.ethercat && other.ethercat->controller == mine.controller && other.ethercat->same_wire(mine))
-                source.fail(config_errc::duplicate, "interface", mine.line,
+                source.note(config_errc::duplicate, "interface", mine.line,
                             "the interface is that of the <ethercat> in line " + std::to_string(other.ethercat->line) +
                                 "; give each master its own");
         }

@@ -23,11 +23,11 @@ T config_any_number(const config_source& source, const config_value& value, T fi
     T number{};
     const auto* const end = digits.data() + digits.size();
     const auto [stop, error] = std::from_chars(digits.data(), end, number, is_hex ? 16 : 10);
-    if (error != std::errc{} || stop != end || number < first)
-        source.fail(config_errc::invalid_value, value,
-                    std::string{value.name} + ' ' + quoted(value.text) + " is not " + std::string{what} + ", " +
-                        std::to_string(first) + " to " + std::to_string(last) + ", decimal or hexadecimal (0x10)");
-    return number;
+    if (error == std::errc{} && stop == end && number >= first) return number;
+    source.note(config_errc::invalid_value, value,
+                std::string{value.name} + ' ' + quoted(value.text) + " is not " + std::string{what} + ", " +
+                    std::to_string(first) + " to " + std::to_string(last) + ", decimal or hexadecimal (0x10)");
+    return first;
 }
 template <class T>
 std::optional<T> config_optional_number(const config_source& source, const config_value& value, T first,
@@ -167,7 +167,7 @@ inline slave_entry config_slave(const config_source& source, pugi::xml_node node
     const auto& [name, position, alias, identification, vendor, product, revision, serial, esi, is_optional] = values;
     source.need(node, {name});
     if (name.text.find_first_of(" \t\r\n") != name.text.npos)
-        source.fail(config_errc::invalid_value, name,
+        source.note(config_errc::invalid_value, name,
                     "the name " + quoted(name.text) + " of a slave has no blanks; write it as one word");
     slave_entry made{.name = std::string{name.text},
                      .position = config_optional_number<std::uint16_t>(source, position, 0, "a position in the ring"),
@@ -183,16 +183,17 @@ inline slave_entry config_slave(const config_source& source, pugi::xml_node node
                      .line = source.line_of(node)};
     if (!made.position && !made.alias && !made.identification && !made.vendor && !made.product && !made.serial &&
         made.esi.empty())
-        source.fail(config_errc::missing, "slave", made.line,
+        source.note(config_errc::missing, "slave", made.line,
                     "nothing identifies the slave " + quoted(std::string_view{made.name}) +
                         "; give its position, alias, identification, vendor, product, serial or esi");
     for (const auto child : node.children("sync")) {
         if (made.sync || !made.sync_mode.empty())
             source.fail(config_errc::duplicate, "sync", source.line_of(child),
                         "the slave " + quoted(std::string_view{made.name}) + " has two <sync>; leave one");
-        config_sync(source, child, made);
+        source.attempt([&] { config_sync(source, child, made); });
     }
-    for (const auto child : node.children("sdo")) made.start_up.push_back(config_start_up_sdo(source, child));
+    for (const auto child : node.children("sdo"))
+        source.attempt([&] { made.start_up.push_back(config_start_up_sdo(source, child)); });
     return made;
 }
 
@@ -200,11 +201,12 @@ inline slave_entry config_slave(const config_source& source, pugi::xml_node node
 inline std::vector<slave_entry> config_slaves(const config_source& source, pugi::xml_node node) {
     std::vector<slave_entry> made;
     for (const auto child : node.children("slave")) {
-        auto next = config_slave(source, child);
+        slave_entry next;
+        if (!source.attempt([&] { next = config_slave(source, child); })) continue;
         for (const auto& other : made) {
             const auto differ = [&](const char* what, const auto& a, const auto& b) {
                 if (a != b) return;
-                source.fail(config_errc::duplicate, what, next.line,
+                source.note(config_errc::duplicate, what, next.line,
                             "the slave " + quoted(std::string_view{next.name}) + " has the " + what +
                                 " of the <slave> in line " + std::to_string(other.line) + "; give each its own");
             };

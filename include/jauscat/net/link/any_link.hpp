@@ -42,6 +42,8 @@ inline namespace JAUSCAT_WAY {
 /// Opens a master's end: raw Ethernet on the interface `where` ("eth0"), or EtherCAT in UDP with the slaves at
 /// "udp:HOST" or "udp:HOST:PORT" (default port 34980; an IPv6 address is in brackets). Throws `open_error`.
 JAUSCAT_DECL std::unique_ptr<any_link> open_link(std::string_view where);
+/// Opens the end of emulated slaves: the same, but in UDP it receives at that address.
+JAUSCAT_DECL std::unique_ptr<any_link> open_slaves_link(std::string_view where);
 } // namespace JAUSCAT_WAY
 
 } // namespace jauscat::net

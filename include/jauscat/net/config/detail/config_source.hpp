@@ -52,6 +52,38 @@ class config_source {
         fail(code, node.name(), line_of(node), text);
     }
 
+    /// A mistake that does not hinder from reading on: `finish` throws it with all others. Of one value the first
+    /// counts.
+    void note(config_errc code, std::string_view name, std::size_t line, const std::string& text) const {
+        note({code, std::string{name}, line, source_ + ':' + std::to_string(line) + ": " + text});
+    }
+    void note(config_errc code, const config_value& value, const std::string& text) const {
+        note(code, value.name, value.line, text);
+    }
+    void note(config_errc code, pugi::xml_node node, const std::string& text) const {
+        note(code, node.name(), line_of(node), text);
+    }
+    /// What `f` fails with is noted. Returns whether it has not failed.
+    bool attempt(auto&& f) const {
+        try {
+            f();
+            return true;
+        } catch (const config_error& error) {
+            note(error);
+            return false;
+        }
+    }
+    [[nodiscard]] bool has_problems() const noexcept { return !problems_.empty(); }
+    /// Throws `config_error` where something was noted: that of the first line, with the text of all, a line each.
+    void finish() const {
+        if (problems_.empty()) return;
+        std::ranges::stable_sort(problems_, {}, &config_error::line);
+        std::string text;
+        for (const auto& one : problems_) text.append(text.empty() ? "" : "\n").append(one.what());
+        const auto& first = problems_.front();
+        throw config_error{first.code(), first.name(), first.line(), text};
+    }
+
     [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
     [[nodiscard]] const std::string& name() const noexcept { return source_; }
     [[nodiscard]] std::size_t line_of(pugi::xml_node node) const { return line_at(node.offset_debug()); }
@@ -66,10 +98,11 @@ class config_source {
             if (all && name == repeated) return void(all->push_back({repeated, trimmed(text), line, true}));
             const auto value = std::ranges::find(values, name, &config_value::name);
             if (value == values.end())
-                fail(config_errc::unknown_name, name, line,
-                     "unknown " + quoted(name) + inside + "; remove it or correct its name");
+                return note(config_errc::unknown_name, name, line,
+                            "unknown " + quoted(name) + inside + "; remove it or correct its name");
             if (value->given)
-                fail(config_errc::duplicate, name, line, quoted(name) + " is given twice" + inside + "; keep one");
+                return note(config_errc::duplicate, name, line,
+                            quoted(name) + " is given twice" + inside + "; keep one");
             *value = {value->name, trimmed(text), line, true};
         };
         for (const auto attribute : node.attributes()) {
@@ -80,22 +113,24 @@ class config_source {
         }
         for (const auto child : node.children()) {
             const auto line = line_of(child);
-            if (child.type() != pugi::node_element)
-                fail(config_errc::unexpected, node.name(), line, "stray text" + inside + "; remove it");
+            if (child.type() != pugi::node_element) {
+                note(config_errc::unexpected, node.name(), line, "stray text" + inside + "; remove it");
+                continue;
+            }
             if (std::ranges::find(others, child.name()) != others.end()) continue;
             set(child.name(), child.text().get(), line);
             if (child.first_attribute() || child.first_child() != child.last_child() ||
                 child.first_child().type() == pugi::node_element)
-                fail(config_errc::unexpected, child,
+                note(config_errc::unexpected, child,
                      '<' + std::string{child.name()} + "> takes a plain text and nothing else");
         }
     }
 
-    /// Fails unless all values have a text.
+    /// Notes which of the values have no text.
     void need(pugi::xml_node node, std::initializer_list<config_value> values) const {
         for (const auto& value : values)
             if (value.text.empty())
-                fail(config_errc::missing, value.name, value.given ? value.line : line_of(node),
+                note(config_errc::missing, value.name, value.given ? value.line : line_of(node),
                      "this <" + std::string{node.name()} + "> needs <" + std::string{value.name} + '>');
     }
 
@@ -109,6 +144,13 @@ class config_source {
     }
 
   private:
+    void note(const config_error& error) const {
+        const bool is_of_absent = error.line() == 0; // which is noted as missing
+        const auto is_same = [&](const config_error& one) {
+            return one.line() == error.line() && one.name() == error.name() && !one.name().empty();
+        };
+        if (!is_of_absent && std::ranges::none_of(problems_, is_same)) problems_.push_back(error);
+    }
     [[nodiscard]] std::size_t line_at(std::ptrdiff_t offset) const {
         const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0));
         return 1 + static_cast<std::size_t>(std::ranges::lower_bound(line_ends_, at) - line_ends_.begin());
@@ -117,6 +159,7 @@ class config_source {
     std::vector<std::size_t> line_ends_{}; ///< where the line feeds are
     std::string source_;
     pugi::xml_document document_{};
+    mutable std::vector<config_error> problems_{};
 };
 
 } // namespace jauscat::net::detail

@@ -12,17 +12,17 @@
 
 namespace jauscat::net::detail {
 
-/// A number from `first` to `last`; the error states that it is not `what`.
+/// A number from `first` to `last`; the problem that is noted states that it is not `what`.
 template <class T>
 T config_number(const config_source& source, const config_value& value, T first, T last, std::string_view what) {
     T number{};
     const auto* const end = value.text.data() + value.text.size();
     const auto [stop, error] = std::from_chars(value.text.data(), end, number);
-    if (error != std::errc{} || stop != end || number < first || number > last)
-        source.fail(config_errc::invalid_value, value,
-                    std::string{value.name} + ' ' + quoted(value.text) + " is not " + std::string{what} + ", " +
-                        std::to_string(first) + " to " + std::to_string(last));
-    return number;
+    if (error == std::errc{} && stop == end && number >= first && number <= last) return number;
+    source.note(config_errc::invalid_value, value,
+                std::string{value.name} + ' ' + quoted(value.text) + " is not " + std::string{what} + ", " +
+                    std::to_string(first) + " to " + std::to_string(last));
+    return first;
 }
 
 /// As above, or the present value if there is no such element.
@@ -37,7 +37,7 @@ inline boost::asio::ip::address config_ip(const config_source& source, const con
     boost::system::error_code wrong;
     auto address = boost::asio::ip::make_address(std::string{value.text}, wrong);
     if (wrong)
-        source.fail(config_errc::invalid_value, value,
+        source.note(config_errc::invalid_value, value,
                     std::string{value.name} + ' ' + quoted(value.text) + " is not an IP address, such as " +
                         std::string{example});
     return address;
@@ -52,8 +52,9 @@ inline std::size_t config_one_of(const config_source& source, const config_value
         std::string all;
         for (const auto& one : possible)
             all += (all.empty() ? "" : &one == possible.end() - 1 ? " or " : ", ") + std::string{one};
-        source.fail(config_errc::invalid_value, value,
+        source.note(config_errc::invalid_value, value,
                     std::string{value.name} + ' ' + quoted(value.text) + " is unknown; use " + all);
+        return 0;
     }
     return static_cast<std::size_t>(found - possible.begin());
 }

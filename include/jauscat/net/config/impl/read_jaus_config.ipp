@@ -29,18 +29,20 @@ class config_reader {
 
         std::array values{config_value{"thissystem"}};
         source_.collect(root, values, {"system"});
-        for (const auto node : root.children("system")) config_.systems.push_back(system(node));
-        if (config_.systems.empty())
-            source_.fail(config_errc::missing, "system", source_.line_of(root),
+        for (const auto node : root.children("system"))
+            source_.attempt([&] { config_.systems.push_back(system(node)); });
+        if (!root.child("system"))
+            source_.note(config_errc::missing, "system", source_.line_of(root),
                          "no <system>; give at least one, with <name>, <jausip>, <ip> and <port>");
 
-        check_ethercat(source_, config_);
+        if (!source_.has_problems()) check_ethercat(source_, config_);
         const auto& this_system = values[0];
         if (!this_system.given)
-            source_.fail(config_errc::missing, "thissystem", source_.line_of(root),
+            source_.note(config_errc::missing, "thissystem", source_.line_of(root),
                          "no <thissystem>; name there the <system> that this program is");
-        if (!config_.find(this_system.text))
-            source_.fail(config_errc::no_such_system, this_system, no_such_system(config_, this_system.text));
+        else if (!source_.has_problems() && !config_.find(this_system.text))
+            source_.note(config_errc::no_such_system, this_system, no_such_system(config_, this_system.text));
+        source_.finish();
         config_.this_system = this_system.text;
         return std::move(config_);
     }
@@ -70,21 +72,29 @@ class config_reader {
                           .framing = framings[config_one_of(source_, framing, {"bare", "JAUS01.0", "judp1"})],
                           .type = types[config_one_of(source_, type, {"other", "vehicle", "operator"})],
                           .line = source_.line_of(node)};
-        for (const auto& more : std::span{ips}.subspan(1)) add_ip(made, more);
+        for (const auto& more : std::span{ips}.subspan(ips.empty() ? 0 : 1)) add_ip(made, more);
         made.any_source_port = config_choice(source_, source_port, "same", "any");
-        if (const auto child = source_.only_child(node, "multicast")) made.multicast = multicast(child, made);
-        if (const auto child = source_.only_child(node, "limits")) made.limits = limits(child);
-        if (const auto child = source_.only_child(node, "ethercat"))
-            made.ethercat = config_ethercat(source_, child, made);
-        for (const auto child : node.children("node")) add_node(made, child);
+        source_.attempt([&] {
+            if (const auto child = source_.only_child(node, "multicast")) made.multicast = multicast(child, made);
+        });
+        source_.attempt([&] {
+            if (const auto child = source_.only_child(node, "limits")) made.limits = limits(child);
+        });
+        if (made.jausip == jaus::address{} && jausip.text != "0.0.0.0") return made; // what follows is relative to it
+        source_.attempt([&] {
+            if (const auto child = source_.only_child(node, "ethercat"))
+                made.ethercat = config_ethercat(source_, child, made);
+        });
+        for (const auto child : node.children("node")) source_.attempt([&] { add_node(made, child); });
         const std::uint8_t own_node = made.jausip.node == 0 ? std::uint8_t{1} : made.jausip.node;
-        for (const auto child : node.children("component")) add_component(made, child, own_node);
+        for (const auto child : node.children("component"))
+            source_.attempt([&] { add_component(made, child, own_node); });
         return made;
     }
 
     std::string unique_name(const config_value& value) const {
         if (const auto* taken = config_.find(value.text))
-            source_.fail(config_errc::duplicate, value,
+            source_.note(config_errc::duplicate, value,
                          "the name " + quoted(value.text) + " is taken by the <system> in line " +
                              std::to_string(taken->line) + "; give each its own");
         return std::string{value.text};
@@ -92,13 +102,15 @@ class config_reader {
 
     jaus::address unique_jausip(const config_value& value) const {
         const auto id = parse_jausip(value.text);
-        if (!id || std::max({id->subsystem, id->node, id->component, id->instance}) > 254)
-            source_.fail(config_errc::invalid_value, value,
+        if (!id || std::max({id->subsystem, id->node, id->component, id->instance}) > 254) {
+            source_.note(config_errc::invalid_value, value,
                          "jausip " + quoted(value.text) +
                              " is not subsystem.node.component.instance, each 0 (all) to 254, such as 1.0.0.0");
+            return {};
+        }
         const auto taken = std::ranges::find(config_.systems, *id, &system_entry::jausip);
         if (taken != config_.systems.end())
-            source_.fail(config_errc::duplicate, value,
+            source_.note(config_errc::duplicate, value,
                          "the jausip " + to_jausip(*id) + " is taken by the <system> in line " +
                              std::to_string(taken->line) + "; give each its own");
         return *id;
@@ -114,11 +126,11 @@ class config_reader {
     void add_ip(system_entry& entry, const config_value& value) const {
         auto address = config_ip(source_, value);
         if (address == entry.ip || std::ranges::find(entry.more_ips, address) != entry.more_ips.end())
-            source_.fail(config_errc::duplicate, value,
+            source_.note(config_errc::duplicate, value,
                          "ip " + address.to_string() + " is given twice in <system>; keep one");
         if (entry.more_ips.size() + 1 == system_entry::max_ips)
-            source_.fail(config_errc::too_many, value,
-                         "a <system> has at most " + std::to_string(system_entry::max_ips) + " <ip>");
+            return source_.note(config_errc::too_many, value,
+                                "a <system> has at most " + std::to_string(system_entry::max_ips) + " <ip>");
         entry.more_ips.push_back(std::move(address));
     }
 
@@ -130,10 +142,10 @@ class config_reader {
         multicast_options made;
         if (group.given) made.group = config_ip(source_, group, "224.1.0.1");
         if (!made.group.is_multicast())
-            source_.fail(config_errc::invalid_value, group,
+            source_.note(config_errc::invalid_value, group,
                          "group " + quoted(group.text) + " is no multicast group, such as 224.1.0.1");
         if (made.group.is_v6() != entry.ip.is_v6())
-            source_.fail(config_errc::inconsistent, group.name, group.given ? group.line : source_.line_of(node),
+            source_.note(config_errc::inconsistent, group.name, group.given ? group.line : source_.line_of(node),
                          "the group " + made.group.to_string() + " and the ip " + entry.ip.to_string() +
                              " are of different IP versions; give a group of the other, such as " +
                              (entry.ip.is_v6() ? "ff15::e001:1" : "224.1.0.1"));
@@ -169,11 +181,11 @@ class config_reader {
             .id = id_of(id, "a node's ID"), .name = std::string{name.text}, .line = source_.line_of(node)};
         const auto taken = std::ranges::find(entry.nodes, made.id, &node_entry::id);
         if (taken != entry.nodes.end())
-            source_.fail(config_errc::duplicate, id,
+            source_.note(config_errc::duplicate, id,
                          "the node " + std::to_string(made.id) + " is taken by the <node> in line " +
                              std::to_string(taken->line) + "; put all its components there");
         if (entry.jausip.node != 0 && entry.jausip.node != made.id)
-            source_.fail(config_errc::inconsistent, id,
+            source_.note(config_errc::inconsistent, id,
                          "the node " + std::to_string(made.id) + " is outside of its system's jausip " +
                              to_jausip(entry.jausip));
         entry.nodes.push_back(made);
@@ -196,15 +208,15 @@ class config_reader {
         made.authority = config_number_or<std::uint8_t>(source_, authority, 0, 0, 255, "an authority code");
         made.slaves = slaves_of(entry, slaves);
         if (entry.jausip.subsystem == 0)
-            source_.fail(config_errc::inconsistent, node,
+            source_.note(config_errc::inconsistent, node,
                          "a <system> with components needs a jausip that names its subsystem, such as 1.0.0.0");
         if (!covers(entry.jausip, made.id))
-            source_.fail(config_errc::inconsistent, node,
+            source_.note(config_errc::inconsistent, node,
                          "the component " + to_jausip(made.id) + " is outside of its system's jausip " +
                              to_jausip(entry.jausip));
         const auto [taken, is_new] = component_lines_.emplace(std::bit_cast<std::uint32_t>(made.id), line);
         if (!is_new)
-            source_.fail(config_errc::duplicate, node,
+            source_.note(config_errc::duplicate, node,
                          "the component " + to_jausip(made.id) + " is taken by the <component> in line " +
                              std::to_string(taken->second) + "; give each its own id or instance");
         entry.components.push_back(std::move(made));
@@ -216,16 +228,16 @@ class config_reader {
         std::istringstream names{std::string{value.text}};
         for (std::string name; names >> name;) {
             if (!entry.ethercat || entry.ethercat->find(name) == nullptr)
-                source_.fail(config_errc::inconsistent, value,
+                source_.note(config_errc::inconsistent, value,
                              "there is no <slave> " + quoted(std::string_view{name}) +
                                  " in the <ethercat> of this <system>");
             if (std::ranges::find(made, name) != made.end())
-                source_.fail(config_errc::duplicate, value,
+                source_.note(config_errc::duplicate, value,
                              "the slave " + quoted(std::string_view{name}) + " is given twice; keep one");
             made.push_back(name);
         }
         if (value.given && made.empty())
-            source_.fail(config_errc::missing, value, "slaves names no <slave>; name one, or remove it");
+            source_.note(config_errc::missing, value, "slaves names no <slave>; name one, or remove it");
         return made;
     }
 

@@ -6,13 +6,19 @@
 #include <jauscat/net/open_error.hpp>
 
 #include <cstdint>
+#include <optional>
 
 namespace jauscat::net {
-inline namespace JAUSCAT_WAY {
+namespace detail {
 
-JAUSCAT_DECL std::unique_ptr<any_link> open_link(std::string_view where) {
+struct udp_place {
+    std::string host{};
+    std::uint16_t port{};
+};
+/// The place that "udp:HOST" or "udp:HOST:PORT" names; nothing for the name of an interface. Throws `open_error`.
+inline std::optional<udp_place> udp_place_of(std::string_view where) {
     constexpr std::string_view udp = "udp:";
-    if (where.substr(0, udp.size()) != udp) return std::make_unique<held_link<raw_link>>(raw_link{std::string{where}});
+    if (where.substr(0, udp.size()) != udp) return {};
     const auto refuse = [&](const char* what) -> open_error {
         return open_error{
             error{.code = errc::invalid_address,
@@ -36,8 +42,23 @@ JAUSCAT_DECL std::unique_ptr<any_link> open_link(std::string_view where) {
         number = 10 * number + static_cast<unsigned>(digit - '0');
     }
     if (number < 1 || number > 65535) throw refuse("the port is not 1 to 65535");
-    return std::make_unique<held_link<udp_link>>(
-        udp_link::connect(std::string{host}, static_cast<std::uint16_t>(number)));
+    return udp_place{std::string{host}, static_cast<std::uint16_t>(number)};
+}
+
+} // namespace detail
+
+inline namespace JAUSCAT_WAY {
+
+JAUSCAT_DECL std::unique_ptr<any_link> open_link(std::string_view where) {
+    const auto udp = detail::udp_place_of(where);
+    if (!udp) return std::make_unique<held_link<raw_link>>(raw_link{std::string{where}});
+    return std::make_unique<held_link<udp_link>>(udp_link::connect(udp->host, udp->port));
+}
+
+JAUSCAT_DECL std::unique_ptr<any_link> open_slaves_link(std::string_view where) {
+    const auto udp = detail::udp_place_of(where);
+    if (!udp) return std::make_unique<held_link<raw_link>>(raw_link{std::string{where}});
+    return std::make_unique<held_link<udp_link>>(udp_link::serve(udp->port, udp->host));
 }
 
 } // namespace JAUSCAT_WAY
