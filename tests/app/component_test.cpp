@@ -1,4 +1,5 @@
 #include "two_nodes.hpp"
+#include <jauscat/net/open_error.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 
 #include <boost/asio/post.hpp>

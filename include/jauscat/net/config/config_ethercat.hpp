@@ -43,7 +43,7 @@ inline ethercat_entry config_ethercat(const config_source& source, pugi::xml_nod
                         " of a <system> with <ethercat> must name its node, such as 2.2.0.0: the slave has its "
                         "number as station address");
     ethercat_entry made{.controller = controller.given ? std::string{controller.text} : system.name, .line = line};
-    source.attempt([&] { config_interface(source, interface_name, made); });
+    source.attempt([&, &name = interface_name] { config_interface(source, name, made); });
     made.slaves = config_slaves(source, node);
     return made;
 }
