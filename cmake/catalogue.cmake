@@ -8,7 +8,7 @@ function(jauscat_add_catalogue sources text)
         set_source_files_properties(${sources}/catalogue/ra_3_3.cpp PROPERTIES
             COMPILE_DEFINITIONS "JAUSCAT_CATALOGUE_SUBGROUPS=${calls}()")
     else()
-        file(GLOB files CONFIGURE_DEPENDS ${sources}/catalogue/*.cpp)
+        file(GLOB files ${sources}/catalogue/*.cpp)
     endif()
     add_library(jauscat_catalogue STATIC EXCLUDE_FROM_ALL ${files})
     add_library(jauscat::catalogue ALIAS jauscat_catalogue)

@@ -1,7 +1,7 @@
 # The target jauscat::compiled: jauscat::net, and what of it is no template compiled once, by the project that uses it.
 # SOURCES is the folder of src/. Users of the target have JAUSCAT_SEPARATE_COMPILATION defined.
 function(jauscat_add_compiled sources net)
-    file(GLOB files CONFIGURE_DEPENDS ${sources}/*.cpp)
+    file(GLOB files ${sources}/*.cpp)
     add_library(jauscat_compiled STATIC EXCLUDE_FROM_ALL ${files})
     add_library(jauscat::compiled ALIAS jauscat_compiled)
     if(CMAKE_UNITY_BUILD)

@@ -16,16 +16,16 @@ namespace jaus = jauscat::jaus;
 
 // [drive]
 asio::awaitable<void> drive(jauscat::component& unit, jaus::address driver) {
-    auto control = co_await unit.async_control(driver, {.authority = 100}); // until the end of the scope
+    auto control = co_await unit.async_control(driver, {.authority = 100}); // until it goes
     boost::system::error_code why; // some peers never acknowledge: their reports show what they do
     co_await control.async_send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50},
-                                asio::redirect_error(asio::use_awaitable, why)); // until acknowledged
-    if (why) std::cout << "Set Wrench Effort: " << why.message() << "; the reports show whether it is obeyed\n";
+                                asio::redirect_error(asio::use_awaitable, why));
+    if (why) std::cout << why.message() << ": the reports show whether it is obeyed\n";
     const auto show = [](std::string_view what, const jaus::report_wrench_effort& report) {
         if (const auto& x = report.propulsive_linear_effort_x) std::cout << what << *x << " %\n";
     };
-    show("in force: ", co_await unit.async_ask(driver, jaus::query_wrench_effort{.presence_vector = 0x0001}));
-    auto efforts = co_await unit.async_connect<jaus::report_wrench_effort>(driver, {.rate = 20}); // hertz
+    show("in force: ", co_await unit.async_ask(driver, jaus::query_wrench_effort{0x0001}));
+    auto efforts = co_await unit.async_connect<jaus::report_wrench_effort>(driver, {.rate = 20});
     for (int i = 0; i != 3; ++i) show("reported: ", co_await efforts.async_next());
 }
 // [drive end]

@@ -11,9 +11,10 @@ int main(int argc, char** argv) {
 
     constexpr auto at_rest = jaus::all_zero<jaus::report_wrench_effort>();
     auto effort = at_rest;
-    driver.on([&](const jaus::set_wrench_effort& told) { jaus::copy_present(told, effort); }); // and set the motors
+    // Where the effort changes, the motors are set, too.
+    driver.on([&](const jaus::set_wrench_effort& told) { jaus::copy_present(told, effort); });
     driver.reports([&] { return effort; });
-    driver.when_stopped([&] { effort = at_rest; }); // not Ready, emergency, controller lost: motors at rest
+    driver.when_stopped([&] { effort = at_rest; }); // not Ready, emergency, controller lost
     driver.ready();
     return node.run();
 }

@@ -89,11 +89,13 @@ a_coroutine_drives() { # drive
     start "Ctrl-C ends" "$bin/primitive_driver" "${config[@]}" --this b
     expect 0 "in force: 50.0015 %" "$bin/drive" "${config[@]}" --this a
     [ "$(grep -c "reported: 50.0015 %" "$work/out.log")" -eq 3 ] || fail "not three reports"
+    expect 0 "standby" "$bin/emergency" "${config[@]}" --this a
+    [ "$(tail -n 1 "$work/out.log")" = ready ] || fail "the driver is not Ready after its emergency"
     kill "$server" && wait "$server"
     expect 1 "no answer in time" "$bin/drive" "${config[@]}" --this a
     # A peer that never acknowledges is driven by its reports.
     start "silent peer: ready" python3 "$(dirname "$0")/../nodes/silent_peer.py" 39778 39777 obeys 1
-    expect 0 "Set Wrench Effort: no answer in time; the reports show" "$bin/drive" "${config[@]}" --this a
+    expect 0 "no answer in time: the reports show" "$bin/drive" "${config[@]}" --this a
     grep -qFx "in force: 50.0015 %" "$work/out.log" || fail "its report is not shown"
     [ "$(grep -c "reported: 50.0015 %" "$work/out.log")" -eq 3 ] || fail "not three reports of the peer"
 }

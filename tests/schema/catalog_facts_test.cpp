@@ -4,6 +4,7 @@
 #include "support/catch.hpp"
 #include "support/paths.hpp"
 #include <jauscat/schema/jaus/catalog.hpp>
+#include <jauscat/schema/jaus/component_id.hpp>
 #include <jauscat/text/hex.hpp>
 
 #include <pugixml.hpp>
@@ -306,4 +307,16 @@ TEST_CASE("every field of every message equals the standard's") {
     for (const auto& difference : all.differences) {
         FAIL_CHECK(difference);
     }
+}
+
+TEST_CASE("component IDs have the standard's names") {
+    std::size_t count = 0;
+    for (const xml_node component : standard().child("components").children("component")) {
+        const auto id = static_cast<std::uint8_t>(component.attribute("id").as_uint());
+        CHECK(jaus::component_name(id) == component.attribute("name").value());
+        ++count;
+    }
+    CHECK(count == jaus::component_kinds.size());
+    STATIC_REQUIRE(jaus::component_name(jaus::component_ids::primitive_driver) == "Primitive Driver");
+    STATIC_REQUIRE(jaus::component_name(60).empty());
 }
