@@ -736,8 +736,8 @@ TEST_CASE("a node whose port is in use does not begin") {
     jauscat::node first{test.context, test.options("robot")};
     first.start();
     jauscat::node second{test.context, test.options("robot")};
-    jauscat::component driver{second, {.id = 33}};
     int ready = 0, stopped = 0;
+    jauscat::component driver{second, {.id = 33}};
     driver.when_ready([&] { ++ready; });
     driver.when_stopped([&] { ++stopped; });
     driver.ready();

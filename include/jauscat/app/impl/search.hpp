@@ -51,8 +51,8 @@ class search : public std::enable_shared_from_this<search> {
 
     /// `use` gets the report, if one comes; `over` is called then.
     template <class Query> void ask(const jaus::address& whom, const Query& query, auto use, auto over);
-    void add(std::size_t source, const jaus::address& who);
-    void ask_more(std::size_t source);
+    void add(std::size_t of, const jaus::address& who);
+    void ask_more(std::size_t of);
     [[nodiscard]] bool fits(const candidate& one) const;
     void finish();
 
