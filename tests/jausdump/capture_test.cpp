@@ -3,6 +3,7 @@
 #include "support/catch.hpp"
 
 #include <map>
+#include <sys/stat.h>
 
 using dump_test::ethernet_frame;
 using dump_test::from_hex;
@@ -26,6 +27,16 @@ std::string image_packet(const std::string& flag_and_size, const std::string& nu
 }
 
 } // namespace
+
+TEST_CASE("a capture is read from a pipe too") {
+    const scratch files;
+    const auto pipe = files / "pipe";
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    const auto piped = run("--format json " + pipe, {}, "cat " + recorded + " >" + pipe + " &");
+    REQUIRE(piped.code == 1);
+    REQUIRE(piped.out == run("--format json " + recorded).out);
+    REQUIRE(run("--format json -", dump_test::content(recorded)).out == piped.out);
+}
 
 TEST_CASE("the recorded JAUS traffic is listed completely") {
     const auto result = run("--format json " + recorded);

@@ -18,8 +18,9 @@ using dump_test::from_hex;
 /// jausdump, listening at a port that the system chose.
 class listening_program {
   public:
-    explicit listening_program(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), {dump_test::jausdump(), "--listen", "0"});
+    explicit listening_program(std::vector<std::string> arguments, std::uint16_t port = 0,
+                               const std::string& said = "listening on UDP port ") {
+        arguments.insert(arguments.begin(), {dump_test::jausdump(), "--listen", std::to_string(port)});
         pid_ = ::fork();
         if (pid_ == 0) {
             redirect(out_, STDOUT_FILENO);
@@ -30,11 +31,11 @@ class listening_program {
             ::execv(arguments.front().c_str(), words.data());
             ::_exit(127);
         }
-        const std::string said = "listening on UDP port ";
         port_ = static_cast<std::uint16_t>(std::stoi(wait_for(err_, said + "N", [&](const std::string& text) {
             const auto at = text.find(said);
-            return at == std::string::npos || text.find(';', at) == std::string::npos ? std::string{}
-                                                                                      : text.substr(at + said.size());
+            return at == std::string::npos || text.find_first_of(";:", at) == std::string::npos
+                       ? std::string{}
+                       : text.substr(at + said.size());
         })));
     }
     listening_program(const listening_program&) = delete;
@@ -115,4 +116,39 @@ TEST_CASE("messages at a port are shown as JSON with the sender's address; an un
     REQUIRE(object.at("origin").at("packet") == 1);
     REQUIRE(object.at("origin").at("from").get<std::string>().starts_with("127.0.0.1:"));
     REQUIRE(object.at("origin").at("time").get<std::string>().size() == 27);
+}
+
+TEST_CASE("messages of a running program are captured where it has the port") {
+    boost::asio::io_context context;
+    const auto loopback = boost::asio::ip::address_v4::loopback();
+    udp::socket node{context, udp::endpoint{loopback, 0}}, peer{context, udp::endpoint{loopback, 0}};
+    const auto port = node.local_endpoint().port();
+    if (::geteuid() != 0) {
+        const auto refused = dump_test::run("--listen " + std::to_string(port));
+        REQUIRE(refused.code == 2);
+        REQUIRE(refused.err.find("udp port " + std::to_string(port) + " | jausdump -") != std::string::npos);
+        return;
+    }
+    listening_program program{{"--format", "json"}, port, "another program has UDP port "};
+    const auto send = [](udp::socket& from, const udp::socket& to, const std::string& hex) {
+        const auto bytes = from_hex(hex);
+        from.send_to(boost::asio::buffer(bytes), to.local_endpoint());
+    };
+    send(peer, node, status);
+    send(node, peer, status);
+    program.wait_for_output("\"packet\":2");
+    send(peer, peer, status); // of no interest
+    send(peer, node, status);
+    program.wait_for_output("\"packet\":3");
+    REQUIRE(program.end(SIGINT) == 0);
+    std::istringstream lines{program.output()};
+    std::vector<dump_test::json> shown;
+    for (std::string line; std::getline(lines, line);) shown.push_back(dump_test::json::parse(line));
+    REQUIRE(shown.size() == 3);
+    const auto text = [&](const udp::socket& of) { return "127.0.0.1:" + std::to_string(of.local_endpoint().port()); };
+    REQUIRE(shown[0]["origin"]["from"] == text(peer));
+    REQUIRE(shown[0]["origin"]["to"] == text(node));
+    REQUIRE(shown[1]["origin"]["from"] == text(node));
+    std::vector<std::byte> received(100);
+    REQUIRE(node.receive(boost::asio::buffer(received)) == 21); // and the program gets them all
 }

@@ -231,8 +231,8 @@ TEST_CASE("a foreign operator connects, takes control, commands, and loses contr
     REQUIRE(r.application.efforts.size() == 3);
     CHECK(r.application.efforts[2].propulsive_linear_effort_x.value() > 49);
     CHECK(std::ranges::count_if(r.log, [](const std::string& line) {
-              return line == "command code 0x0405 7.1.32.1 -> 2.1.33.1: presence bits without a field are ignored: "
-                             "0xF000";
+              return line == "Set Wrench Effort (0x0405) 7.1.32.1 -> 2.1.33.1: presence bits without a field are "
+                             "ignored: 0xF000";
           }) == 1);
     // Another of its subsystem has no control: NAK, and control is refused to it.
     constexpr jaus_id second{7, 1, 40, 1};

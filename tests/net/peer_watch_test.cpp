@@ -59,7 +59,7 @@ TEST_CASE("a peer that only receives stays while it answers, and its answers hav
     REQUIRE(p.second.node.send({.destination = p.ocu.self, .source = p.second.self}, jaus::query_heartbeat_pulse{},
                                p.network.now));
     p.run_for(100us + 100us);
-    REQUIRE(p.second.logged("command code 0x4202 1.1.32.1 -> 2.1.33.1: at 2.1.33.1: unknown message"));
+    REQUIRE(p.second.logged("Report Heartbeat Pulse (0x4202) 1.1.32.1 -> 2.1.33.1: at 2.1.33.1: unknown message"));
 }
 
 TEST_CASE("loss of a peer whose node has no node manager is detected, also by a program with one") {

@@ -26,7 +26,7 @@ TEST_CASE("a message is printed one field a line, with units, raw integers and n
     CHECK(text::to_text(jaus::create_service_connection{.command_code = 0x4405,
                                                         .requested_periodic_update_rate = 1092,
                                                         .requested_presence_vector = 7},
-                        0) == "command_code = 0x4405\n"
+                        0) == "command_code = 0x4405 (Report Wrench Effort)\n"
                               "requested_periodic_update_rate = 1092 Hz (raw 65535)\n"
                               "requested_presence_vector = 0x00000007\n");
 }
@@ -119,4 +119,25 @@ TEST_CASE("text of devices that is not UTF-8 is taken for Latin-1") {
     CHECK(text::as_utf8("\xE9\xFF") == "\xC3\xA9\xC3\xBF");
     CHECK(text::as_utf8("plain") == "plain");
     CHECK(text::as_utf8("") == "");
+}
+
+namespace {
+struct share {
+    static constexpr double min = 0, max = 100; // without a unit
+};
+struct shares {
+    double level{};
+    std::optional<double> reserve{};
+    struct schema : jauscat::wire::items {
+        using type =
+            layout<field<&shares::level, scaled<u8, share>>, presence<u8, field<&shares::reserve, scaled<u8, share>>>>;
+    };
+};
+} // namespace
+
+TEST_CASE("values of a range without a unit have none") {
+    CHECK(text::to_text(shares{.level = 20}, 0) == "level = 20 (raw 51)\npresence_vector = 0x00\n");
+    const std::array bytes{std::byte{51}, std::byte{1}, std::byte{255}};
+    const auto lines = text::annotate<shares>(bytes);
+    CHECK(lines.find("reserve = 100 (raw 255)") != std::string::npos);
 }

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <pcap/pcap.h>
+#include <poll.h>
 #include <vector>
 
 namespace jausdump {
@@ -34,6 +35,10 @@ constexpr std::uint16_t ether_type_ipv4 = 0x0800;
 constexpr std::uint16_t ether_type_provider_vlan = 0x88A8;
 constexpr std::uint8_t protocol_udp = 17;
 constexpr std::uint16_t ethercat_port = jauscat::ethercat::ether_type_ethercat;
+
+/// Of the loopback interface of Linux, which a packet passes twice.
+constexpr std::uint16_t hardware_loopback = 772;
+constexpr std::uint16_t direction_outgoing = 4;
 
 /// What a frame carries, without its link layer.
 struct packet {
@@ -148,6 +153,13 @@ std::chrono::nanoseconds time_of(const timeval& when) {
     return std::chrono::seconds{when.tv_sec} + std::chrono::nanoseconds{when.tv_usec}; // opened with nanoseconds
 }
 
+/// A packet on its way out by the loopback interface: it is seen again on its way in.
+bool comes_again(int link_type, bytes frame) {
+    if (link_type != DLT_LINUX_SLL) return false;
+    const auto head = take<cooked_header>(frame, "Linux cooked");
+    return head.direction == direction_outgoing && head.hardware_type == hardware_loopback;
+}
+
 } // namespace
 
 void read_capture(const std::string& path, const capture_listener& listener) {
@@ -190,6 +202,60 @@ void read_capture(const std::string& path, const capture_listener& listener) {
         }
         if (!no_size && file_size != 0)
             listener.progress(static_cast<double>(std::ftell(pcap_file(file.get()))) / static_cast<double>(file_size));
+    }
+}
+
+port_capture::port_capture(std::uint16_t port) : packets_{nullptr, &pcap_close} {
+    constexpr int longest = 65535, wait_ms = 100;
+    std::array<char, PCAP_ERRBUF_SIZE> problem{};
+    const auto require = [&](bool good) {
+        if (good) return;
+        const char* const why = packets_ ? pcap_geterr(packets_.get()) : problem.data();
+        const auto number = std::to_string(port);
+        throw input_error{"UDP port " + number + " is taken by another program, and its messages cannot be captured (" +
+                          why + "); run jausdump as root, or: sudo tcpdump -i any -U -w - udp port " + number +
+                          " | jausdump -"};
+    };
+    packets_.reset(pcap_create("any", problem.data()));
+    require(packets_ != nullptr);
+    auto* const packets = packets_.get();
+    pcap_set_snaplen(packets, longest);
+    pcap_set_immediate_mode(packets, 1);
+    pcap_set_timeout(packets, wait_ms);
+    pcap_set_tstamp_precision(packets, PCAP_TSTAMP_PRECISION_NANO);
+    require(pcap_activate(packets) >= 0);
+    bpf_program filter{};
+    const auto wanted = "udp port " + std::to_string(port) + " or (ip proto 17 and ip[6:2] & 0x1fff != 0)";
+    require(pcap_compile(packets, &filter, wanted.c_str(), 1, PCAP_NETMASK_UNKNOWN) == 0);
+    const int filtered = pcap_setfilter(packets, &filter);
+    pcap_freecode(&filter);
+    require(filtered == 0 && pcap_setnonblock(packets, 1, problem.data()) == 0);
+}
+
+void port_capture::run(const capture_listener& listener) {
+    auto* const packets = packets_.get();
+    const int link_type = pcap_datalink(packets);
+    ip_fragments fragments;
+    origin from{.place = "packet"};
+    while (!listener.stop()) {
+        pcap_pkthdr* head = nullptr;
+        const unsigned char* data = nullptr;
+        const int got = pcap_next_ex(packets, &head, &data);
+        if (got < 0) throw input_error{std::string{"the capture ends: "} + pcap_geterr(packets)};
+        if (got == 0) {
+            pollfd readable{.fd = pcap_get_selectable_fd(packets), .events = POLLIN, .revents = 0};
+            ::poll(&readable, 1, 100);
+            continue;
+        }
+        try {
+            const bytes frame = std::as_bytes(std::span{data, head->caplen});
+            if (comes_again(link_type, frame)) continue;
+            ++from.number;
+            from.time = time_of(head->ts);
+            hand_over(packet_of(link_type, frame), from, listener, fragments);
+        } catch (const useless& frame) {
+            listener.skipped(frame.reason);
+        }
     }
 }
 

@@ -1,8 +1,12 @@
-// UDP payloads and EtherCAT frames out of a capture file.
+// UDP payloads and EtherCAT frames out of a capture, of a file or as packets pass.
 #pragma once
 #include "record.hpp"
 
+#include <cstdint>
 #include <functional>
+#include <memory>
+
+struct pcap;
 
 namespace jausdump {
 
@@ -20,5 +24,18 @@ struct capture_listener {
 /// cooked, raw IP, loopback. Throws input_error if the file cannot be read, or not to its end; everything before that
 /// has been passed on by then.
 void read_capture(const std::string& path, const capture_listener& listener);
+
+/// The datagrams from and to a UDP port of this machine as they pass, at all interfaces, whoever has the port.
+class port_capture {
+  public:
+    /// Throws input_error: that needs CAP_NET_RAW.
+    explicit port_capture(std::uint16_t port);
+
+    /// Until `stop` returns true.
+    void run(const capture_listener& listener);
+
+  private:
+    std::unique_ptr<pcap, void (*)(pcap*)> packets_;
+};
 
 } // namespace jausdump

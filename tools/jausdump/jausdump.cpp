@@ -7,6 +7,7 @@
 #include "support/program.hpp"
 
 #include <fstream>
+#include <optional>
 #include <unistd.h>
 
 namespace {
@@ -17,7 +18,9 @@ using example::usage_error;
 constexpr const char* help = R"(jausdump: shows JAUS messages, field by field.
 
   jausdump [options] CAPTURE        a file of tcpdump or Wireshark: UDP over IPv4, any port
-  jausdump [options] --listen PORT  messages as they arrive, until Ctrl-C
+  jausdump [options] -              the same from standard input
+  jausdump [options] --listen PORT  messages as they arrive, until Ctrl-C; where another program of this machine has
+                                    the port, what passes it is captured (as root, or with CAP_NET_RAW)
   jausdump [options]                lines of hex digits on standard input, one message each
 
 Captures and ports: with or without JAUS01.0 in front of a message. Large data sets are reassembled, and payload data
@@ -36,6 +39,7 @@ Examples:
   jausdump drive.pcap --summary
   jausdump ring.pcap --ethercat seed --subsystem 2
   jausdump --listen 3794 --join 224.1.0.1
+  sudo tcpdump -i any -U -w - udp port 3794 | jausdump -
   echo 0602050401210202012001010400220001000040 | jausdump --format json --reencode
   jausdump --format json --translate seed <messages.hex
   jausdump --payload-types 1,2,4,20 <payload.hex
@@ -205,9 +209,21 @@ void read_file(jausdump::dump& dump, const std::string& path, const jausdump::ob
 }
 
 void listen(jausdump::dump& dump, const po::variables_map& values) {
-    jausdump::udp_listener udp{values["listen"].as<std::uint16_t>(), values_of<std::string>(values, "join")};
-    std::cerr << "jausdump: listening on UDP port " << udp.port() << "; Ctrl-C ends it\n";
-    udp.run([&](auto payload, const auto& from) { dump.on_datagram(payload, from); }, stopped);
+    const auto port = values["listen"].as<std::uint16_t>();
+    const auto on_datagram = [&](auto payload, const auto& from) { dump.on_datagram(payload, from); };
+    std::optional<jausdump::udp_listener> udp;
+    try {
+        udp.emplace(port, values_of<std::string>(values, "join"));
+    } catch (const jausdump::port_taken&) {
+        jausdump::port_capture capture{port};
+        std::cerr << "jausdump: another program has UDP port " << port
+                  << ": capturing what it receives and sends; Ctrl-C ends it\n";
+        return capture.run({.datagram = on_datagram,
+                            .skipped = [&](const std::string& reason) { dump.on_skipped(reason); },
+                            .stop = stopped});
+    }
+    std::cerr << "jausdump: listening on UDP port " << udp->port() << "; Ctrl-C ends it\n";
+    udp->run(on_datagram, stopped);
 }
 
 int read_input(const po::variables_map& values) {

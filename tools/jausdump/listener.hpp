@@ -12,14 +12,21 @@
 
 namespace jausdump {
 
+/// Another program has the port.
+struct port_taken : input_error {
+    using input_error::input_error;
+};
+
 /// Receives at a port of all interfaces until `stop` returns true.
 class udp_listener {
   public:
-    /// Other programs may listen for the same multicast messages, so the port is shared. Throws input_error.
+    /// Other programs may listen for the same multicast messages, so the port is shared. Throws input_error, and
+    /// port_taken.
     udp_listener(std::uint16_t port, const std::vector<std::string>& groups) : socket_{context_, udp::v4()} {
         boost::system::error_code error;
         socket_.set_option(udp::socket::reuse_address{true});
         socket_.bind({udp::v4(), port}, error);
+        if (error == boost::asio::error::address_in_use) throw port_taken{"another program has the port"};
         if (error) throw input_error{"cannot listen on UDP port " + std::to_string(port) + ": " + error.message()};
         for (const auto& group : groups) {
             const auto address = boost::asio::ip::make_address_v4(group, error);

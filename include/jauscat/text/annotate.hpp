@@ -2,6 +2,7 @@
 //
 //     0012  ff 3f        propulsive_linear_effort_x = 49.998474 % (raw 16383)
 #pragma once
+#include <jauscat/text/diagnosis_text.hpp>
 #include <jauscat/text/value.hpp>
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/diagnose.hpp>
@@ -9,18 +10,6 @@
 namespace jauscat::text {
 
 namespace detail {
-
-/// `object[2].point[0].`: the structures and lists around a field.
-inline std::string path_text(const wire::diagnosis& at) {
-    std::string text;
-    for (std::size_t i = 0; i != at.depth; ++i) {
-        text += at.path[i].name;
-        if (at.path[i].element != wire::diagnosis_step::no_element)
-            ((text += '[') += std::to_string(at.path[i].element)) += ']';
-        text += ".";
-    }
-    return text;
-}
 
 /// Traces decoding and writes a line for each field.
 class annotating_trace : public wire::decode_trace {
@@ -83,29 +72,6 @@ class annotating_trace : public wire::decode_trace {
 };
 
 } // namespace detail
-
-/// The field at fault with what is around it: `object[2].point[0].latitude`, `joint[3]` for an element of a list of
-/// values. Empty where no field is.
-[[nodiscard]] inline std::string field_path(const wire::diagnosis& why) {
-    if (why.field.empty()) return {};
-    std::string name = detail::path_text(why);
-    if (why.depth != 0 && why.parent().name == why.field)
-        name.pop_back(); // the dot
-    else
-        name += why.field;
-    return name;
-}
-
-/// Where and why decoding failed, in one line: `truncated: ...: object[2].point[0].latitude at byte 40 needs 4 bytes, 1
-/// left`.
-[[nodiscard]] inline std::string to_text(const wire::diagnosis& why, std::size_t first_offset = 0) {
-    std::string text{wire::describe(why.error)};
-    if (!why.field.empty()) text += ": " + field_path(why);
-    text += " at byte " + std::to_string(first_offset + why.offset);
-    if (why.needed > why.available)
-        text += " needs " + std::to_string(why.needed) + " bytes, " + std::to_string(why.available) + " left";
-    return text;
-}
 
 /// Decodes a `T` from the front of `bytes` and prints a line for each field: offset (counted from `first_offset`),
 /// bytes, name, value. Bytes that do not decode are dumped with the reason.

@@ -152,11 +152,18 @@ std::string to_text(const T& value) {
 }
 
 namespace detail {
+/// Empty where a range has none.
+template <class Range> consteval std::string_view unit_of_range() {
+    if constexpr (requires { Range::unit; })
+        return Range::unit;
+    else
+        return {};
+}
 /// By its codec, so that members with the same share the code.
 template <class Codec, class T> std::string coded_text(const T& value) {
     std::string text = to_text(value);
     if constexpr (requires { typename Codec::range_type; }) {
-        append_unit(text, Codec::range_type::unit);
+        append_unit(text, unit_of_range<typename Codec::range_type>());
         if (value >= Codec::lowest && value <= Codec::highest) append_raw(text, std::to_string(Codec::to_raw(value)));
     } else if constexpr (requires { typename Codec::unit_type; }) {
         append_unit(text, Codec::unit_type::unit);

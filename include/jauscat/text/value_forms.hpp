@@ -93,7 +93,7 @@ template <class Value, class Codec> constexpr form form_by_codec() {
     if constexpr (requires { typename Codec::range_type; }) {
         using range = typename Codec::range_type;
         using raw = typename Codec::raw_type;
-        return {scaled_form{.unit = range::unit,
+        return {scaled_form{.unit = unit_of_range<range>(),
                             .min = range::min,
                             .max = range::max,
                             .lowest = Codec::lowest,

@@ -1,5 +1,6 @@
 // Writes any structure as lines of text.
 #pragma once
+#include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/print.hpp>
 #include <jauscat/text/quoted.hpp>
@@ -25,6 +26,14 @@ inline std::string digits(std::uint64_t number, bool is_signed) {
 }
 inline std::string_view name_in(std::span<const std::string_view> names, std::uint64_t number) {
     return number < names.size() ? names[static_cast<std::size_t>(number)] : std::string_view{};
+}
+
+/// `0x4405 (Report Wrench Effort)`
+inline std::string code_text(std::uint16_t command_code) {
+    auto text = hex_number(command_code, 4);
+    const auto known = std::ranges::find(jaus::catalog, command_code, &jaus::catalog_entry::command_code);
+    if (known != std::end(jaus::catalog)) ((text += " (") += known->name) += ')';
+    return text;
 }
 
 /// Writes any structure; a value of one line follows its name, one of more lines is indented below it.
@@ -98,8 +107,9 @@ class printer {
             return hex_number(number, is.bits / 4);
         case integer_form::meaning::number: break;
         }
-        if (name.ends_with("presence_vector") || name == "command_code" || name == "message_code")
-            return hex_number(number, is.bits / 4); // more readable in hex
+        if (name.ends_with("command_code") || name.ends_with("message_code"))
+            return code_text(static_cast<std::uint16_t>(number));
+        if (name.ends_with("presence_vector")) return hex_number(number, is.bits / 4); // more readable in hex
         return with_unit(digits(number, is.is_signed), is.unit);
     }
     static std::string one_line(std::string_view, const real_form& is, const void* at) {

@@ -14,6 +14,7 @@
 #include <jauscat/net/node/detail/large_data_memory.hpp>
 #include <jauscat/net/node/detail/large_data_queue.hpp>
 #include <jauscat/net/node/detail/peer_watch.hpp>
+#include <jauscat/schema/jaus/catalog.hpp>
 
 #include <algorithm>
 #include <array>
@@ -32,10 +33,12 @@ inline std::string in_hex(std::uint32_t number) {
     std::snprintf(text.data(), text.size(), "0x%04X", unsigned{number});
     return text.data();
 }
-/// `command code 0x0405 1.1.32.1 -> 2.1.33.1`, for logs.
+/// `Set Wrench Effort (0x0405) 1.1.32.1 -> 2.1.33.1`, for logs.
 inline std::string in_text(const jaus::header& head) {
-    return "command code " + in_hex(head.command_code) + ' ' + to_jausip(head.source) + " -> " +
-           to_jausip(head.destination);
+    const auto known = std::ranges::find(jaus::catalog, head.command_code, &jaus::catalog_entry::command_code);
+    const auto code = in_hex(head.command_code);
+    return (known == jaus::catalog.end() ? "command code " + code : std::string{known->name} + " (" + code + ")") +
+           ' ' + to_jausip(head.source) + " -> " + to_jausip(head.destination);
 }
 
 /// Time of processing of a message, and its time in the queue before.
