@@ -11,6 +11,7 @@
 #include <boost/asio/use_future.hpp>
 
 #include <chrono>
+#include <map>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -183,8 +184,12 @@ TEST_CASE("an object of another size than the type is an error") {
     bench b;
     REQUIRE_FALSE(b.start());
     const auto drive = b.bus->slave(first);
-    CHECK(std::get<0>(b.read<std::uint16_t>(drive, 0x2000, 0)) == bus_errc::wrong_size);
+    const auto error = std::get<0>(b.read<std::uint16_t>(drive, 0x2000, 0));
+    CHECK(error == bus_errc::wrong_size);
+    CHECK(error != bus_errc::too_large);
+    CHECK(error.message() == "slave 0 (axis), object 0x2000:0 has 4 bytes, and std::uint16_t has 2");
     CHECK(std::get<0>(b.read<std::uint64_t>(drive, 0x2000, 0)) == bus_errc::wrong_size);
+    CHECK(std::get<0>(b.read<double>(drive, 0x2000, 0)).message().ends_with(" has 4 bytes, and double has 8"));
     CHECK_FALSE(std::get<0>(b.read<std::uint32_t>(drive, 0x2000, 0)));
     CHECK(b.write(drive, 0x2000, 0, std::int8_t{1}) == ethercat::abort_code::length_mismatch);
 }
@@ -197,10 +202,18 @@ TEST_CASE("an abort code of the slave reaches the caller") {
     CHECK(error == ethercat::abort_code::no_object);
     CHECK(error.value() == 0x06020000);
     CHECK(error.category() == abort_category());
-    CHECK(error.message() ==
-          "abort code 06020000h: " + std::string{ethercat::describe(ethercat::abort_code::no_object)});
+    CHECK(error.message() == "slave 0 (axis), object 0x6041:0: abort code 06020000h: " +
+                                 std::string{ethercat::describe(ethercat::abort_code::no_object)});
+    CHECK(std::get<0>(b.read<std::uint16_t>(drive, 0x6041, 0)) == error);
+    CHECK(std::string_view{error.category().name()} == "jauscat.abort");
     CHECK(value == 0);
-    CHECK(b.write(drive, 0x1018, 1, std::uint32_t{1}) == ethercat::abort_code::read_only);
+    const auto refused = b.write(drive, 0x1018, 1, std::uint32_t{1});
+    CHECK(refused == ethercat::abort_code::read_only);
+    CHECK(refused != error);
+    CHECK(refused.message().starts_with("slave 0 (axis), object 0x1018:1: abort code 06010002h: "));
+    std::map<error_code, int> counted; // by category and number
+    ++counted[error], ++counted[ethercat::abort_code::no_object], ++counted[refused];
+    CHECK(counted.size() == 2);
 }
 
 TEST_CASE("a slave lists and describes its objects") {

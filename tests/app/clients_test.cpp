@@ -91,6 +91,13 @@ TEST_CASE("an operator takes control, commands, asks, and receives reports in a 
         const auto report = co_await test.unit.async_ask(test.arm, jaus::query_wrench_effort{0xFFFF});
         CHECK(report.propulsive_linear_effort_x == Approx(50).margin(0.01));
         auto efforts = co_await test.unit.async_connect<jaus::report_wrench_effort>(test.arm, {.rate = 100});
+        CHECK(efforts.rate() == Approx(100).margin(0.02)); // as it was confirmed
+        for (const double rate : {0.0, -1.0, 1092.1, std::numeric_limits<double>::quiet_NaN()}) {
+            error_code wrong;
+            co_await test.unit.async_connect<jaus::report_global_pose>(
+                test.arm, {.rate = rate}, boost::asio::redirect_error(boost::asio::use_awaitable, wrong));
+            CHECK(wrong == jauscat::node_errc::rate_out_of_range);
+        }
         for (int i = 0; i != 3; ++i) {
             const auto next = co_await next_report(efforts);
             CHECK(next.propulsive_linear_effort_x == Approx(50).margin(0.01));
@@ -281,7 +288,7 @@ TEST_CASE("a rate that no message can say is not encodable") {
                 ++ended;
             });
         REQUIRE(test.until([&] { return ended == 2; }));
-        CHECK(connected == jauscat::node_errc::not_encodable);
+        CHECK(connected == jauscat::node_errc::rate_out_of_range);
         // The nearest step of a small rate is 0, which the provider refuses.
         const bool is_small = rate >= 0 && rate < 0.001;
         CHECK(requested == (is_small ? jauscat::node_errc::connection_refused : jauscat::node_errc::not_encodable));
@@ -889,6 +896,7 @@ TEST_CASE("each error of an operation is told apart") {
         const jaus::set_wrench_effort command{.propulsive_linear_effort_x = 5};
         co_await test.unit.async_send(test.arm, jaus::set_wrench_effort{.propulsive_linear_effort_x = 1000}, into);
         CHECK(why == node_errc::not_encodable);
+        CHECK(why.message().starts_with("Set Wrench Effort: propulsive_linear_effort_x: out of range: "));
         auto all = test.arm;
         all.instance = 255;
         co_await test.unit.async_send(all, command, into);

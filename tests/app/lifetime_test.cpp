@@ -554,7 +554,10 @@ struct robot_bench : two_nodes {
     }
     std::string begin(auto start) {
         result.reset();
-        start([this](error_code error, auto&&...) { result = error.message(); });
+        start([this](error_code error, auto&&...) {
+            const auto text = error.message(); // with the slave and the object in front
+            result = text.starts_with("slave 0") ? text.substr(text.find(": ") + 2) : text;
+        });
         return std::string{begun};
     }
     std::string outcome(std::string what) {

@@ -4,6 +4,7 @@
 #include "support/until.hpp"
 #include <jauscat/app/bus.hpp>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -180,6 +181,19 @@ TEST_CASE("a slave that leaves its operation is reported, and comes to OP only i
         REQUIRE(b.until([&] { return b.lost.size() == 1; }));
         CHECK(b.lost[0] == std::pair{std::uint16_t{0}, error_code{bus_errc::slave_lost}});
         CHECK(right.is_operating());
+    }
+    SECTION("another master takes it to INIT") {
+        b.ring.with(0, [](auto& each) {
+            std::array<std::byte, ethercat::max_frame_size> frame{};
+            ethercat::frame_builder builder{frame};
+            builder.add(ethercat::command::bwr, 0, 0x0120, ethercat::al_control{.state = ethercat::al_state::init});
+            each.slave.process(*builder.finish());
+        });
+        REQUIRE(b.until([&] { return b.lost.size() == 1; }));
+        CHECK(b.lost[0].second == bus_errc::left_state);
+        CHECK(b.lost[0].second.message() == "left OP: INIT");
+        CHECK(std::ranges::any_of(
+            b.lines, [](const auto& line) { return line.ends_with(": slave 0 (left) is lost: left OP: INIT"); }));
     }
     SECTION("no frame returns") {
         const auto begun = net::now();

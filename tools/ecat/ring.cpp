@@ -34,13 +34,7 @@ bool is_udp(const std::string& link) { return link.starts_with("udp:"); }
 } // namespace
 
 std::string state_name(ethercat::al_state state) {
-    switch (state) {
-    case ethercat::al_state::init: return "INIT";
-    case ethercat::al_state::pre_op: return "PRE-OP";
-    case ethercat::al_state::boot: return "BOOT";
-    case ethercat::al_state::safe_op: return "SAFE-OP";
-    case ethercat::al_state::op: return "OP";
-    }
+    if (ethercat::is_known(state)) return std::string{describe(state)};
     return "UNKNOWN " + std::to_string(static_cast<unsigned>(state));
 }
 std::string state_text(const ethercat::al_status& al) { return state_name(al.state) + (al.error ? " ERROR" : ""); }

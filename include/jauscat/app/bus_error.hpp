@@ -12,7 +12,8 @@
 namespace jauscat {
 inline namespace JAUSCAT_WAY {
 
-/// Why an operation of a bus failed. Other errors of such operations:
+/// Why an operation of a bus failed. The message of the error names the slave and the object. Other errors of such
+/// operations:
 /// - an ethercat::abort_code: the slave has aborted the transfer of an object;
 /// - an ethercat::al_status_code: the slave has refused a state;
 /// - boost::asio::error::operation_aborted: it was cancelled, or the bus has ended.
@@ -38,6 +39,7 @@ enum class bus_errc : std::uint8_t {
     malformed_answer,  ///< the slave does not follow the protocol
     wrong_size,        ///< the object is not as large as the type that was to be read
     too_large,         ///< the object is larger than 65,536 bytes
+    left_state,        ///< the slave has left its state, without a reason: another master, or the slave itself
     state_not_reached, ///< the slave has not reached the state in time
     not_configurable,  ///< the slave's process data or its SII cannot be used
     not_synchronized,  ///< the slave's clock cannot be set up, or does not follow the reference clock
@@ -73,6 +75,7 @@ enum class bus_errc : std::uint8_t {
     case bus_errc::malformed_answer: return "the slave does not follow the protocol";
     case bus_errc::wrong_size: return "the object has another size than the type that was to be read";
     case bus_errc::too_large: return "the object has more than 65536 bytes";
+    case bus_errc::left_state: return "the slave has left its state: check for another master";
     case bus_errc::state_not_reached: return "the slave has not reached the state in time";
     case bus_errc::not_configurable: return "the slave's process data or its SII cannot be used";
     case bus_errc::not_synchronized:

@@ -109,7 +109,7 @@ struct ask_options {
 };
 
 struct connect_options {
-    double rate{10};                           ///< hertz, up to 1092
+    double rate{10};                           ///< hertz, above 0 and up to 1092; the provider may confirm another
     std::uint32_t presence_vector{0xFFFFFFFF}; ///< fields of the report; by default all that it has
     std::size_t max_waiting{256}; ///< reports that async_next has not taken; then the oldest is dropped, and counted
 };
@@ -167,6 +167,7 @@ JAUSCAT_DECL void end(const std::shared_ptr<control_state>&) noexcept;
 JAUSCAT_DECL void cancel(const std::shared_ptr<component_state>&);
 JAUSCAT_DECL std::shared_ptr<component_state> component_of(const control_state&) noexcept;
 JAUSCAT_DECL std::uint64_t dropped_of(const subscription_state&) noexcept;
+JAUSCAT_DECL double rate_of(const subscription_state&) noexcept;
 
 /// Makes the message of received bytes.
 template <class T> struct decoded_as {

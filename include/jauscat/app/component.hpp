@@ -100,7 +100,7 @@ class component {
     /// Sends a message once, without acknowledgement, to a component or to all of a level (255). Of any size.
     template <jaus::coded_message T> result<void, net::error> send(const jaus::address& to, const T& message) {
         std::vector<std::byte> body;
-        if (const auto why = app::encode_into(body, message); why != wire::errc::ok) return net::not_encodable(why);
+        if (const auto why = app::encode_into(body, message); !why) return app::not_sent(jaus::command_code_of<T>, why);
         return send(to, jaus::command_code_of<T>, body);
     }
     /// The same for a body in bytes.
@@ -178,13 +178,13 @@ class component {
         return boost::asio::async_initiate<Token, void(app::error_code, subscription<Report>)>(
             [](auto handler, const std::shared_ptr<app::component_state>& state, const jaus::address& whom,
                // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
-               std::vector<std::byte> request, bool is_good) {
+               std::vector<std::byte> request, app::error_code failed) {
                 auto done = app::make_operation<std::shared_ptr<app::subscription_state>>(
                     std::move(handler), app::handled_as<subscription<Report>>{}, app::executor_of(state));
-                if (!is_good) return done->complete(node_errc::not_encodable, nullptr);
+                if (failed) return done->complete(failed, nullptr);
                 app::begin_event(state, whom, std::move(request), connect_options{}.max_waiting, done);
             },
-            token, state_, of, std::move(body), why == wire::errc::ok);
+            token, state_, of, std::move(body), app::not_encodable(jaus::command_code_of<jaus::create_event>, why));
     }
 
     /// Looks for components: asks the node managers that are heard for their components, and these for identification
@@ -320,8 +320,8 @@ template <class F> void component::reports(F f, double max_rate) {
                                    report = *made;
                                }
                                if constexpr (requires { query.presence_vector; }) jaus::keep_requested(report, fields);
-                               if (const auto why = app::encode_into(body, report); why != wire::errc::ok) {
-                                   app::not_encodable(to, jaus::command_code_of<Report>, why);
+                               if (const auto why = app::encode_into(body, report); !why) {
+                                   app::log_not_encodable(to, jaus::command_code_of<Report>, why);
                                    return jaus::message_outcome::refused;
                                }
                                return jaus::message_outcome::handled;
@@ -337,12 +337,12 @@ auto component::async_send(const jaus::address& to, const T& message, Token&& to
     return boost::asio::async_initiate<Token, void(app::error_code)>(
         [](auto handler, const std::shared_ptr<app::component_state>& state, const jaus::address& whom,
            // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
-           std::vector<std::byte> encoded, bool is_good) {
+           std::vector<std::byte> encoded, app::error_code failed) {
             auto done = app::make_operation<>(std::move(handler), app::no_conversion{}, app::executor_of(state));
-            if (!is_good) return done->complete(node_errc::not_encodable);
+            if (failed) return done->complete(failed);
             app::begin_send(state, whom, jaus::command_code_of<T>, std::move(encoded), done);
         },
-        token, state_, to, std::move(body), why == wire::errc::ok);
+        token, state_, to, std::move(body), app::not_encodable(jaus::command_code_of<T>, why));
 }
 
 template <class Token>
@@ -378,14 +378,14 @@ auto component::async_ask(const jaus::address& of, const Query& query, const ask
     return boost::asio::async_initiate<Token, void(app::error_code, received<Report>)>(
         [](auto handler, const std::shared_ptr<app::component_state>& state, const jaus::address& whom,
            // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
-           std::vector<std::byte> encoded, const ask_options& how, bool is_good) {
+           std::vector<std::byte> encoded, const ask_options& how, app::error_code failed) {
             auto done =
                 app::make_operation<app::bytes>(std::move(handler), app::decoded_as<Report>{}, app::executor_of(state));
-            if (!is_good) return done->complete(node_errc::not_encodable, {});
+            if (failed) return done->complete(failed, {});
             app::begin_ask(state, whom, {jaus::command_code_of<Query>, jaus::command_code_of<Report>},
                            std::move(encoded), how, done);
         },
-        token, state_, of, std::move(body), options, why == wire::errc::ok);
+        token, state_, of, std::move(body), options, app::not_encodable(jaus::command_code_of<Query>, why));
 }
 
 } // namespace JAUSCAT_WAY

@@ -85,12 +85,12 @@ template <jaus::coded_message T, class Token> auto control::async_send(const T& 
     const auto why = app::encode_into(body, message);
     return boost::asio::async_initiate<Token, void(app::error_code)>(
         [](auto handler, const std::shared_ptr<app::control_state>& state, std::vector<std::byte> encoded,
-           bool is_good) {
+           app::error_code failed) {
             auto done = app::make_operation<>(std::move(handler), app::no_conversion{}, app::executor_of(state));
-            if (!is_good) return done->complete(node_errc::not_encodable);
+            if (failed) return done->complete(failed);
             app::begin_send(state, jaus::command_code_of<T>, std::move(encoded), done);
         },
-        token, state_, std::move(body), why == wire::errc::ok);
+        token, state_, std::move(body), app::not_encodable(jaus::command_code_of<T>, why));
 }
 
 } // namespace JAUSCAT_WAY

@@ -28,6 +28,7 @@ enum class node_errc : std::uint8_t {
     already_asked,      ///< control of this component is held or requested already
     connection_refused, ///< the provider refuses the service connection, or the event
     silent,             ///< no report for three periods; the connection is requested again
+    rate_out_of_range,  ///< a connection's rate is not above 0 and up to 1092 hertz
 };
 
 /// The error in one line.
@@ -48,6 +49,7 @@ enum class node_errc : std::uint8_t {
     case node_errc::already_asked: return "control is held or requested already";
     case node_errc::connection_refused: return "the provider refuses the connection";
     case node_errc::silent: return "the provider is silent";
+    case node_errc::rate_out_of_range: return "the rate is not above 0 and up to 1092 hertz";
     }
     return "unknown error";
 }

@@ -3,6 +3,7 @@
 #include <jauscat/app/bus_error.hpp>
 #include <jauscat/app/detail/operation.hpp>
 
+#include <array>
 #include <bit>
 #include <concepts>
 #include <cstddef>
@@ -35,12 +36,29 @@ template <class T> consteval bool require_object_value() {
     return is_value;
 }
 
-/// Bytes of a value; none where they vary.
-template <object_value T> [[nodiscard]] constexpr std::optional<std::size_t> object_size() noexcept {
-    if constexpr (object_scalar<T>)
-        return sizeof(T);
+/// What is read: bytes of a value, none where they vary, and the name of its type.
+struct object_type {
+    std::optional<std::size_t> size{};
+    std::string_view name{};
+};
+
+template <object_value T> [[nodiscard]] constexpr object_type object_type_of() noexcept {
+    if constexpr (std::same_as<T, bool>)
+        return {sizeof(T), "bool"};
+    else if constexpr (std::same_as<T, float>)
+        return {sizeof(T), "float"};
+    else if constexpr (std::same_as<T, double>)
+        return {sizeof(T), "double"};
+    else if constexpr (std::is_enum_v<T>)
+        return {sizeof(T), "the enumeration"};
+    else if constexpr (std::signed_integral<T>)
+        return {sizeof(T), std::array{"std::int8_t", "std::int16_t", "std::int32_t",
+                                      "std::int64_t"}[std::bit_width(sizeof(T)) - 1]};
+    else if constexpr (std::unsigned_integral<T>)
+        return {sizeof(T), std::array{"std::uint8_t", "std::uint16_t", "std::uint32_t",
+                                      "std::uint64_t"}[std::bit_width(sizeof(T)) - 1]};
     else
-        return std::nullopt;
+        return {};
 }
 
 template <object_scalar T> [[nodiscard]] std::uint64_t to_bits(T value) noexcept {

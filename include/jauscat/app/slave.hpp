@@ -54,7 +54,7 @@ class slave {
         if constexpr (app::require_object_value<T>())
             return boost::asio::async_initiate<Token, void(app::error_code, T)>(
                 [](auto handler, const slave& self, std::uint16_t i, std::uint8_t s) {
-                    self.read(i, s, app::object_size<T>(),
+                    self.read(i, s, app::object_type_of<T>(),
                               app::make_operation<app::object_bytes>(std::move(handler), app::object_conversion<T>{},
                                                                      self.executor()));
                 },
@@ -162,7 +162,7 @@ class slave {
 
   private:
     [[nodiscard]] JAUSCAT_DECL boost::asio::any_io_executor executor() const noexcept;
-    JAUSCAT_DECL void read(std::uint16_t index, std::uint8_t subindex, std::optional<std::size_t> size,
+    JAUSCAT_DECL void read(std::uint16_t index, std::uint8_t subindex, const app::object_type& type,
                            app::operation_ptr<app::object_bytes> done) const;
     JAUSCAT_DECL void write(std::uint16_t index, std::uint8_t subindex, app::object_bytes bytes,
                             app::operation_ptr<> done) const;

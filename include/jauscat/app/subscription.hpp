@@ -34,6 +34,8 @@ template <jaus::coded_message Report> class subscription {
     }
     /// Number of reports that came and were dropped, because `max_waiting` others waited for async_next.
     [[nodiscard]] std::uint64_t dropped() const noexcept { return state_ ? app::dropped_of(*state_) : 0; }
+    /// Of a connection: hertz, as the provider has confirmed it; 0: not yet, or an event.
+    [[nodiscard]] double rate() const noexcept { return state_ ? app::rate_of(*state_) : 0; }
     /// Ends the connection or the event.
     void end() noexcept {
         if (state_ && !std::exchange(is_ended_, true)) app::end(state_);

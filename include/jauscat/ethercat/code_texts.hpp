@@ -152,6 +152,17 @@ template <class Code, std::size_t N>
     return detail::text_of(detail::abort_texts, code, "unknown abort code");
 }
 
+[[nodiscard]] constexpr std::string_view describe(al_state state) noexcept {
+    switch (state) {
+    case al_state::init: return "INIT";
+    case al_state::pre_op: return "PRE-OP";
+    case al_state::boot: return "BOOT";
+    case al_state::safe_op: return "SAFE-OP";
+    case al_state::op: return "OP";
+    }
+    return "an unknown state";
+}
+
 [[nodiscard]] constexpr std::string_view describe(al_status_code code) noexcept {
     return detail::text_of(detail::al_status_texts, code, "unknown AL status code");
 }

@@ -3,6 +3,7 @@
 #include <jauscat/app/detail/unit.hpp>
 #include <jauscat/schema/jaus/command_code.hpp>
 #include <jauscat/wire/decode.hpp>
+#include <jauscat/wire/diagnose.hpp>
 #include <jauscat/wire/encode.hpp>
 
 #include <concepts>
@@ -70,18 +71,17 @@ template <class T> wire::errc decode_into(T& message, bytes body, [[maybe_unused
         return decoded ? wire::errc::ok : decoded.error();
     }
 }
-template <class T> wire::errc encode_into(std::vector<std::byte>& body, const T& message) {
+template <class T> wire::diagnosis encode_into(std::vector<std::byte>& body, const T& message) {
     body.resize(wire::encoded_size(message));
-    const auto encoded = wire::encode(message, body);
-    return encoded ? wire::errc::ok : encoded.error();
+    return wire::encode(message, body) ? wire::diagnosis{} : wire::diagnose(message);
 }
 
 /// Sends what a handler has returned.
 template <jaus::coded_message Answer>
 jaus::message_outcome send_answer(const incoming& message, const Answer& answer_is) {
     std::vector<std::byte> body;
-    if (const auto why = encode_into(body, answer_is); why != wire::errc::ok) {
-        not_encodable(message.component, jaus::command_code_of<Answer>, why);
+    if (const auto why = encode_into(body, answer_is); !why) {
+        log_not_encodable(message.component, jaus::command_code_of<Answer>, why);
         return jaus::message_outcome::refused;
     }
     return answer(message.component, message.head, jaus::command_code_of<Answer>, body)

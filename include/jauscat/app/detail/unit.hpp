@@ -4,8 +4,11 @@
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/message_outcome.hpp>
 #include <jauscat/jaus/events/report_field.hpp>
+#include <jauscat/net/error.hpp>
 #include <jauscat/schema/jaus/header.hpp>
-#include <jauscat/wire/errc.hpp>
+#include <jauscat/wire/diagnosis.hpp>
+
+#include <boost/system/error_code.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -65,7 +68,10 @@ JAUSCAT_DECL bool answer(component_state&, const jaus::header& request, std::uin
 /// Why the last message was malformed, for the log.
 JAUSCAT_DECL jaus::message_outcome malformed(component_state&, wire::errc why);
 /// A value of the application that does not encode: a line in the log.
-JAUSCAT_DECL void not_encodable(component_state&, std::uint16_t command_code, wire::errc why);
+JAUSCAT_DECL void log_not_encodable(component_state&, std::uint16_t command_code, const wire::diagnosis& why);
+/// The errors of a message that does not encode, with its name and the field's.
+[[nodiscard]] JAUSCAT_DECL boost::system::error_code not_encodable(std::uint16_t command_code, const wire::diagnosis&);
+[[nodiscard]] JAUSCAT_DECL net::error not_sent(std::uint16_t command_code, const wire::diagnosis&);
 
 } // namespace app
 } // namespace JAUSCAT_WAY

@@ -1,6 +1,7 @@
 // The categories of the errors of a bus.
 #pragma once
 #include <jauscat/app/bus_error.hpp>
+#include <jauscat/app/detail/explained.hpp>
 #include <jauscat/app/impl/numbered.hpp>
 #include <jauscat/ethercat/code_texts.hpp>
 
@@ -10,8 +11,9 @@ namespace jauscat {
 inline namespace JAUSCAT_WAY {
 
 JAUSCAT_DECL const boost::system::error_category& bus_category() noexcept {
-    static const class : public boost::system::error_category {
+    static const class category_type final : public app::known_category {
       public:
+        category_type() : known_category{0x6A61757363617401} {}
         [[nodiscard]] const char* name() const noexcept override { return "jauscat.bus"; }
         [[nodiscard]] std::string message(int code) const override {
             return std::string{describe(static_cast<bus_errc>(code))};
@@ -21,8 +23,9 @@ JAUSCAT_DECL const boost::system::error_category& bus_category() noexcept {
 }
 
 JAUSCAT_DECL const boost::system::error_category& abort_category() noexcept {
-    static const class : public boost::system::error_category {
+    static const class category_type final : public app::known_category {
       public:
+        category_type() : known_category{0x6A61757363617402} {}
         [[nodiscard]] const char* name() const noexcept override { return "jauscat.abort"; }
         [[nodiscard]] std::string message(int code) const override {
             return app::numbered("abort code %08Xh: ", code) +
@@ -33,8 +36,9 @@ JAUSCAT_DECL const boost::system::error_category& abort_category() noexcept {
 }
 
 JAUSCAT_DECL const boost::system::error_category& al_status_category() noexcept {
-    static const class : public boost::system::error_category {
+    static const class category_type final : public app::known_category {
       public:
+        category_type() : known_category{0x6A61757363617403} {}
         [[nodiscard]] const char* name() const noexcept override { return "jauscat.al_status"; }
         [[nodiscard]] std::string message(int code) const override {
             return app::numbered("AL status code %04Xh: ", code) +

@@ -423,8 +423,8 @@ template <class Make, class Take, class... Results> class slave_job final : publ
     using job_type = std::invoke_result_t<Make&, bus_slave&>;
 
   public:
-    slave_job(const slave_choice& which, operation_ptr<Results...> done, Make make, Take take)
-        : which_{which}, done_{std::move(done)}, make_{std::move(make)}, take_{std::move(take)} {}
+    slave_job(const slave_choice& which, operation_ptr<Results...> done, Make make, Take take, std::string_view type)
+        : which_{which}, done_{std::move(done)}, make_{std::move(make)}, take_{std::move(take)}, type_{type} {}
 
     bool begin(bus_state& bus, ethercat::master& master) override {
         error_code error;
@@ -434,14 +434,20 @@ template <class Make, class Take, class... Results> class slave_job final : publ
             return false;
         }
         station_ = slave->info.station;
-        return master.start(make_(*slave)).has_value();
+        const auto job = make_(*slave);
+        if constexpr (requires { job.subindex; })
+            about_ = object{job.index, job.subindex};
+        else if constexpr (requires { job.index; })
+            about_ = object{job.index};
+        return master.start(job).has_value();
     }
     void end(bus_state& bus, ethercat::master& master) override {
         const auto outcome = master.result<job_type>();
-        const auto error = outcome ? error_code{} : error_of(outcome.error());
+        auto error = outcome ? error_code{} : error_of(outcome.error());
         if (auto* const slave = bus.at(station_)) {
             bus.note_outcome(*slave, error);
             bus.note_emergencies(*slave, master);
+            if (error) error = error_of(slave->info, outcome.error(), about_, type_);
         }
         if (error) return fail(error);
         if constexpr (std::is_void_v<typename job_type::result_type::value_type>)
@@ -457,6 +463,8 @@ template <class Make, class Take, class... Results> class slave_job final : publ
     operation_ptr<Results...> done_;
     Make make_;
     Take take_;
+    std::string_view type_; ///< of the value that is read
+    std::optional<object> about_{};
     std::uint16_t station_{};
 };
 
@@ -491,7 +499,7 @@ class change_job final : public bus_job {
         if (error) {
             if (step_ == step::configure)
                 bus.log(name_of(slave->info) + " is not configured: " + text::explain(master.error()));
-            return fail(error);
+            return fail(error_of(slave->info, master.error()));
         }
         switch (step_) {
         case step::look:
@@ -542,9 +550,10 @@ JAUSCAT_DECL std::unique_ptr<bus_job> make_change_job(std::uint16_t station, eth
 // ---- The operations.
 
 template <class... Results, class Make, class Take>
-void bus_state::ask(const slave_choice& which, operation_ptr<Results...> done, Make make, Take take) {
+void bus_state::ask(const slave_choice& which, operation_ptr<Results...> done, Make make, Take take,
+                    std::string_view type) {
     using job = slave_job<Make, Take, Results...>;
-    add(std::make_unique<job>(which, std::move(done), std::move(make), std::move(take)), options_.timeout);
+    add(std::make_unique<job>(which, std::move(done), std::move(make), std::move(take), type), options_.timeout);
 }
 
 JAUSCAT_DECL void bus_state::start(operation_ptr<> done) {
@@ -555,13 +564,13 @@ JAUSCAT_DECL void bus_state::start_once(operation_ptr<> done) {
     add(make_find_job(find_scope::once, std::move(done)), options_.start_timeout);
 }
 JAUSCAT_DECL void bus_state::read(const slave_choice& which, std::uint16_t index, std::uint8_t subindex,
-                                  std::optional<std::size_t> size, operation_ptr<object_bytes> done) {
+                                  const object_type& type, operation_ptr<object_bytes> done) {
     ask(
         which, std::move(done),
         [=, this](const bus_slave& slave) {
-            return ethercat::upload{slave.info.station, index, subindex, memory_, {.size = size}};
+            return ethercat::upload{slave.info.station, index, subindex, memory_, {.size = type.size}};
         },
-        [](auto value, auto& to) { to.complete({}, {value.begin(), value.end()}); });
+        [](auto value, auto& to) { to.complete({}, {value.begin(), value.end()}); }, type.name);
 }
 JAUSCAT_DECL void bus_state::write(const slave_choice& which, std::uint16_t index, std::uint8_t subindex,
                                    object_bytes value, operation_ptr<> done) {

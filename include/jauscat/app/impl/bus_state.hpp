@@ -28,6 +28,16 @@ class bus_state;
 
 /// The master's error, as an operation has it.
 [[nodiscard]] JAUSCAT_DECL error_code error_of(const ethercat::master_error& error) noexcept;
+/// An object of a slave, or its entry.
+struct object {
+    std::uint16_t index{};
+    std::optional<std::uint8_t> subindex{};
+};
+/// The same, and its message names the slave, the object, and for wrong_size the type that was to be read.
+[[nodiscard]] JAUSCAT_DECL error_code error_of(const slave_info& slave, const ethercat::master_error& error,
+                                               const std::optional<object>& about = {}, std::string_view type = {});
+/// Why a slave is lost that was in the state `goal`: `left OP: INIT`.
+[[nodiscard]] JAUSCAT_DECL error_code error_of_loss(ethercat::al_state goal, const ethercat::master_error& why);
 /// How a log calls the slave.
 [[nodiscard]] JAUSCAT_DECL std::string name_of(const slave_info& slave);
 /// The times of a ring, without those of bridges.
@@ -174,7 +184,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     ~bus_state();
 
     void start(operation_ptr<> done);
-    void read(const slave_choice& which, std::uint16_t index, std::uint8_t subindex, std::optional<std::size_t> size,
+    void read(const slave_choice& which, std::uint16_t index, std::uint8_t subindex, const object_type& type,
               operation_ptr<object_bytes> done);
     void write(const slave_choice& which, std::uint16_t index, std::uint8_t subindex, object_bytes value,
                operation_ptr<> done);
@@ -282,7 +292,8 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     };
 
     template <class... Results, class Make, class Take>
-    void ask(const slave_choice& which, operation_ptr<Results...> done, Make make, Take take);
+    void ask(const slave_choice& which, operation_ptr<Results...> done, Make make, Take take,
+             std::string_view type = {});
     void add(std::unique_ptr<bus_job> job, duration limit);
     struct taking_over;
     void take_over(const bus_slave& which, const operate_options& options, const operation_ptr<>& done);

@@ -1,7 +1,10 @@
 // A bus: its queue of jobs, its link and its slaves.
 #pragma once
+#include <jauscat/app/detail/explained.hpp>
 #include <jauscat/app/impl/bus_jobs.hpp>
 #include <jauscat/app/impl/named_slaves.ipp>
+#include <jauscat/ethercat/code_texts.hpp>
+#include <jauscat/text/hex.hpp>
 
 #include <boost/asio/post.hpp>
 
@@ -29,8 +32,8 @@ JAUSCAT_DECL error_code error_of(const ethercat::master_error& error) noexcept {
     case no_mailbox:
     case no_coe: return bus_errc::no_objects;
     case al_error:
-        if (error.al_status == ethercat::al_status_code::none) return bus_errc::refused;
-        return error.al_status;
+        if (error.al_status != ethercat::al_status_code::none) return error.al_status;
+        return error.state == ethercat::al_state{} ? bus_errc::refused : bus_errc::left_state;
     case state_timeout: return bus_errc::state_not_reached;
     case too_many_slaves: return bus_errc::too_many_slaves;
     case sii_busy:
@@ -74,6 +77,28 @@ JAUSCAT_DECL std::string name_of(const slave_info& slave) {
     auto name = "slave " + std::to_string(slave.position);
     if (!slave.name.empty()) name += " (" + slave.name + ")";
     return name;
+}
+
+JAUSCAT_DECL error_code error_of(const slave_info& slave, const ethercat::master_error& error,
+                                 const std::optional<object>& about, std::string_view type) {
+    const auto plain = error_of(error);
+    auto line = name_of(slave);
+    if (about) line += ", object " + text::hex_number(about->index, 4);
+    if (about && about->subindex) line += ":" + std::to_string(*about->subindex);
+    if (plain == bus_errc::wrong_size && error.found_bytes != 0)
+        line += " has " + std::to_string(error.found_bytes) + " bytes, and " + std::string{type} + " has " +
+                std::to_string(error.bytes);
+    else
+        line += ": " + plain.message();
+    return explained(plain, line);
+}
+JAUSCAT_DECL error_code error_of_loss(ethercat::al_state goal, const ethercat::master_error& why) {
+    auto plain = error_of(why);
+    if (!plain || plain == bus_errc::stopped) plain = bus_errc::slave_lost;
+    if (why.state == ethercat::al_state{}) return plain;
+    auto line = "left " + std::string{describe(goal)} + ": " + std::string{describe(why.state)};
+    if (why.al_status != ethercat::al_status_code::none) line += ", " + plain.message();
+    return explained(plain, line);
 }
 
 JAUSCAT_DECL void bus_slave::identify(const ethercat::slave_record& record) noexcept {

@@ -236,8 +236,7 @@ JAUSCAT_DECL void operated_slave::slave_up(const bridging::slave_front&, const e
 JAUSCAT_DECL void operated_slave::slave_lost(const bridging::slave_front&, bridging::loss,
                                              const ethercat::master_error& why) {
     is_lost_ = true;
-    auto error = error_of(why);
-    if (!error || error == bus_errc::stopped) error = bus_errc::slave_lost;
+    const auto error = error_of_loss(ethercat::al_state::op, why);
     if (auto* const slave = bus_.at(station())) bus_.note_lost(*slave, error);
     done_->complete(error);
 }

@@ -45,6 +45,7 @@ struct subscription_state {
     std::deque<std::vector<std::byte>> reports{};
     error_code news{}; ///< what async_next has to say before the next report
     std::uint64_t dropped{};
+    double rate{}; ///< hertz, as confirmed; of an event 0
 };
 
 class search;

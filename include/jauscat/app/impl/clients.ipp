@@ -370,6 +370,7 @@ JAUSCAT_DECL void clients::note_streams() {
     for (auto i = subscriptions_.size(); i-- != 0;) {
         const auto of = subscriptions_[i];
         const auto state = state_of(*of);
+        if (!of->is_event && of->place) of->rate = connections_.connections()[*of->place].rate;
         if (std::exchange(of->seen, state) == state || state == stream_state::asking) continue;
         if (state == stream_state::silent) {
             tell(*of, node_errc::silent);
@@ -395,6 +396,8 @@ JAUSCAT_DECL void clients::connect(const jaus::address& to, std::uint16_t code, 
                                    std::shared_ptr<subscription_state> made) {
     const auto now = net::now();
     if (!jaus::names_one_component(to)) return tell(*made, node_errc::not_one_address);
+    if (jaus::sayable_rate(options.rate, jaus::update_rate::max) == 0 || options.rate > jaus::update_rate::max)
+        return tell(*made, node_errc::rate_out_of_range);
     for (const auto& one : subscriptions_)
         if (const auto& known = connections_.connections()[one->place.value_or(0)];
             one->place && !one->is_event && known.provider == to && known.request.command_code == code)
@@ -549,6 +552,7 @@ JAUSCAT_DECL boost::asio::any_io_executor executor_of(const std::shared_ptr<cont
     return of->context->executor();
 }
 JAUSCAT_DECL std::uint64_t dropped_of(const subscription_state& of) noexcept { return of.dropped; }
+JAUSCAT_DECL double rate_of(const subscription_state& of) noexcept { return of.rate; }
 
 JAUSCAT_DECL void begin_send(const std::shared_ptr<component_state>& from, const jaus::address& to, std::uint16_t code,
                              std::vector<std::byte> body, const operation_ptr<>& done) {

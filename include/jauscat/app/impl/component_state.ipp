@@ -1,5 +1,6 @@
 // The functions of component_state.
 #pragma once
+#include <jauscat/app/detail/explained.hpp>
 #include <jauscat/app/impl/clients.hpp>
 #include <jauscat/app/impl/component_state.hpp>
 #include <jauscat/app/impl/node_state.hpp>
@@ -8,6 +9,7 @@
 #include <jauscat/jaus/events/events.hpp>
 #include <jauscat/jaus/events/service_connections.hpp>
 #include <jauscat/net/node/detail/offered_messages.hpp>
+#include <jauscat/text/diagnosis_text.hpp>
 #include <jauscat/text/message_name.hpp>
 
 #include <algorithm>
@@ -532,9 +534,22 @@ JAUSCAT_DECL jaus::message_outcome malformed(component_state& at, wire::errc why
     at.malformed_because = wire::describe(why);
     return jaus::message_outcome::malformed;
 }
-JAUSCAT_DECL void not_encodable(component_state& from, std::uint16_t command_code, wire::errc why) {
+inline std::string text_of(const wire::diagnosis& why) {
+    const auto field = text::field_path(why);
+    return (field.empty() ? "" : field + ": ") + std::string{wire::describe(why.error)};
+}
+JAUSCAT_DECL void log_not_encodable(component_state& from, std::uint16_t command_code, const wire::diagnosis& why) {
     from.node().log(net::to_jausip(from.self()) + ": " + text::message_name(command_code) +
-                    " is not sent: " + std::string{wire::describe(why)});
+                    " is not sent: " + text_of(why));
+}
+JAUSCAT_DECL boost::system::error_code not_encodable(std::uint16_t command_code, const wire::diagnosis& why) {
+    if (why) return {};
+    return explained(node_errc::not_encodable, text::message_name(command_code) + ": " + text_of(why));
+}
+JAUSCAT_DECL net::error not_sent(std::uint16_t command_code, const wire::diagnosis& why) {
+    auto error = net::not_encodable(why.error);
+    error.message = text::message_name(command_code) + ": " + text_of(why);
+    return error;
 }
 
 } // namespace app

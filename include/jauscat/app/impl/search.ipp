@@ -36,7 +36,7 @@ JAUSCAT_DECL search::search(component_state& component, clients& by, const find_
 
 template <class Query> inline void search::ask(const jaus::address& whom, const Query& query, auto use, auto over) {
     std::vector<std::byte> body;
-    if (encode_into(body, query) != wire::errc::ok) return;
+    if (!encode_into(body, query)) return;
     auto answered = [weak = weak_from_this(), use, over](error_code error, bytes answer) {
         const auto mine = weak.lock();
         if (mine == nullptr || mine->done_->is_done()) return;

@@ -277,8 +277,8 @@ JAUSCAT_DECL void served_slave::bring_up_failed(const bridging::slave_front& sla
 JAUSCAT_DECL void served_slave::slave_lost(const bridging::slave_front& slave, bridging::loss what,
                                            const ethercat::master_error& why) {
     watcher().slave_lost(slave, what, why);
-    auto error = error_of(why);
-    if (!error || error == bus_errc::stopped) error = bus_errc::slave_lost;
+    const bool is_cyclic = bridge_.options().period > duration{};
+    const auto error = error_of_loss(is_cyclic ? ethercat::al_state::op : ethercat::al_state::pre_op, why);
     bridge_.bus()->note_served_lost(*this, error);
     last_problem_ = error.message();
     log_event(name() + " is lost: " + std::string{text_of(what)} + " (" + last_problem_ + ")");

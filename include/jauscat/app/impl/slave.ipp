@@ -22,9 +22,9 @@ JAUSCAT_DECL slave_info slave::info() const {
     return found;
 }
 JAUSCAT_DECL boost::asio::any_io_executor slave::executor() const noexcept { return bus_->context().get_executor(); }
-JAUSCAT_DECL void slave::read(std::uint16_t index, std::uint8_t subindex, std::optional<std::size_t> size,
+JAUSCAT_DECL void slave::read(std::uint16_t index, std::uint8_t subindex, const app::object_type& type,
                               app::operation_ptr<app::object_bytes> done) const {
-    bus_->read(which_, index, subindex, size, std::move(done));
+    bus_->read(which_, index, subindex, type, std::move(done));
 }
 JAUSCAT_DECL void slave::write(std::uint16_t index, std::uint8_t subindex, app::object_bytes bytes,
                                app::operation_ptr<> done) const {

@@ -960,7 +960,8 @@ JAUSCAT_FUNCTION void ring::watch_cycles(time_point now, jaus::message_sink out)
         if (std::exchange(each.looked_at, seen.last_frame) != seen.last_frame)
             each.has_reply = seen.reply_waiting && !is_carried(each); // which takes it itself
         show_data(each);
-        const ethercat::master_error state{.code = ethercat::master_errc::al_error, .al_status = seen.al.code};
+        const ethercat::master_error state{
+            .code = ethercat::master_errc::al_error, .state = seen.al.state, .al_status = seen.al.code};
         if (seen.condition == absent)
             lose(each, loss::no_station, {.code = ethercat::master_errc::working_counter}, now, out);
         else if (seen.condition == duplicate)
@@ -996,7 +997,7 @@ JAUSCAT_FUNCTION void ring::give_up_settling(place& at, time_point now, jaus::me
     const auto& seen = *at.status;
     const bool is_cyclic = at.front->options().cyclic;
     if (!is_cyclic && seen.condition != ethercat::slave_condition::silent && !works_in(at, seen.al.state)) {
-        at.bring_up = {.code = ethercat::master_errc::al_error, .al_status = seen.al.code};
+        at.bring_up = {.code = ethercat::master_errc::al_error, .state = seen.al.state, .al_status = seen.al.code};
         return lose(at, loss::left_state, at.bring_up, now, out);
     }
     at.bring_up = {.code = ethercat::master_errc::working_counter};
