@@ -85,7 +85,7 @@ JAUSCAT_DECL error_code error_of(const slave_info& slave, const ethercat::master
     auto line = name_of(slave);
     if (about) line += ", object " + text::hex_number(about->index, 4);
     if (about && about->subindex) line += ":" + std::to_string(*about->subindex);
-    if (plain == bus_errc::wrong_size && error.found_bytes != 0)
+    if (plain == bus_errc::wrong_size && !type.empty())
         line += " has " + std::to_string(error.found_bytes) + " bytes, and " + std::string{type} + " has " +
                 std::to_string(error.bytes);
     else

@@ -67,10 +67,10 @@ class component_state {
     /// While it runs.
     [[nodiscard]] node_state& node() noexcept { return *node_; }
     [[nodiscard]] clients& others() noexcept;
-    /// A large data set of this component was acknowledged, or not.
     /// The node works: tells the application what the component has become.
     void begin();
     void on_appeared(const jaus::address& who); ///< a component of the network
+    /// A large data set of this component was acknowledged, or not.
     void on_large_delivered(const jaus::header& head, jaus::delivered what);
     /// Outlives the node.
     [[nodiscard]] const std::shared_ptr<node_context>& context() const noexcept { return context_; }

@@ -54,10 +54,10 @@ template <class Query> inline void search::ask(const jaus::address& whom, const 
 
 JAUSCAT_DECL void search::heard(const jaus::address& who) {
     const jaus::address manager{1, 1, who.node, who.subsystem};
-    auto found = std::ranges::find(sources_, manager, &source::manager);
+    const auto found = std::ranges::find(sources_, manager, &source::manager);
+    const auto of = static_cast<std::size_t>(found - sources_.begin());
     if (found == sources_.end()) {
-        found = sources_.insert(sources_.end(), {.manager = manager});
-        const auto of = static_cast<std::size_t>(found - sources_.begin());
+        sources_.push_back({.manager = manager});
         const auto configured = [of](search& mine, const jaus::report_configuration& report) {
             for (const auto& node : report.node)
                 for (const auto& one : node.component)
@@ -74,7 +74,6 @@ JAUSCAT_DECL void search::heard(const jaus::address& who) {
             ask(manager, jaus::query_configuration{jaus::query_field::node_configuration}, configured, [](search&) {});
     }
     if (who == manager || done_->is_done()) return;
-    const auto of = static_cast<std::size_t>(std::ranges::find(sources_, manager, &source::manager) - sources_.begin());
     add(of, who);
     ask_more(of);
 }
