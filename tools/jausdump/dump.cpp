@@ -39,11 +39,9 @@ constexpr std::array openjaus_3_2{jaus::catalog_entry{0xD2A4, "Query Identificat
                                   jaus::catalog_entry{0xD8A8, "Configuration Changed (OpenJAUS 3.2)"}};
 
 std::string name_of(std::uint16_t command_code) {
-    for (const auto& names :
-         {std::span<const jaus::catalog_entry>{jaus::catalog}, std::span<const jaus::catalog_entry>{openjaus_3_2}})
-        if (const auto found = std::ranges::find(names, command_code, &jaus::catalog_entry::command_code);
-            found != names.end())
-            return std::string{found->name};
+    if (const auto name = jaus::standard_name(command_code); !name.empty()) return std::string{name};
+    const auto found = std::ranges::find(openjaus_3_2, command_code, &jaus::catalog_entry::command_code);
+    if (found != openjaus_3_2.end()) return std::string{found->name};
     return is_known(command_code) ? example::message_name(command_code) : "unknown";
 }
 

@@ -31,8 +31,7 @@ inline std::string_view name_in(std::span<const std::string_view> names, std::ui
 /// `0x4405 (Report Wrench Effort)`
 inline std::string code_text(std::uint16_t command_code) {
     auto text = hex_number(command_code, 4);
-    const auto known = std::ranges::find(jaus::catalog, command_code, &jaus::catalog_entry::command_code);
-    if (known != std::end(jaus::catalog)) ((text += " (") += known->name) += ')';
+    if (const auto name = jaus::standard_name(command_code); !name.empty()) ((text += " (") += name) += ')';
     return text;
 }
 

@@ -175,4 +175,11 @@ inline constexpr std::array<catalog_entry, 158> catalog{{
     {0x0404, "Set Velocity State"}, // experimental: not part of RA 3.3
 }};
 
+/// Empty where the catalog has no message of the code.
+[[nodiscard]] constexpr std::string_view standard_name(std::uint16_t command_code) noexcept {
+    for (const auto& entry : catalog)
+        if (entry.command_code == command_code) return entry.name;
+    return {};
+}
+
 } // namespace jauscat::jaus

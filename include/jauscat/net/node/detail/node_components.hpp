@@ -35,10 +35,10 @@ inline std::string in_hex(std::uint32_t number) {
 }
 /// `Set Wrench Effort (0x0405) 1.1.32.1 -> 2.1.33.1`, for logs.
 inline std::string in_text(const jaus::header& head) {
-    const auto known = std::ranges::find(jaus::catalog, head.command_code, &jaus::catalog_entry::command_code);
+    const auto name = jaus::standard_name(head.command_code);
     const auto code = in_hex(head.command_code);
-    return (known == jaus::catalog.end() ? "command code " + code : std::string{known->name} + " (" + code + ")") +
-           ' ' + to_jausip(head.source) + " -> " + to_jausip(head.destination);
+    return (name.empty() ? "command code " + code : std::string{name} + " (" + code + ")") + ' ' +
+           to_jausip(head.source) + " -> " + to_jausip(head.destination);
 }
 
 /// Time of processing of a message, and its time in the queue before.
