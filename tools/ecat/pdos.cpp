@@ -5,6 +5,7 @@
 #include "ecat/value.hpp"
 
 #include <iostream>
+#include <utility>
 
 namespace ecat {
 
@@ -30,36 +31,33 @@ int pdos(const arguments& given) {
         list all;
         for (const auto& pdo : found.pdos) {
             list entries;
-            if (!pdo.error.empty()) {
-                is_complete = false;
+            const auto direction = pdo.is_output ? "output" : "input";
+            const auto row = [&](value byte, value bits, value object, value type, value name) {
                 rows.push_back({{"position", position},
-                                {"direction", pdo.is_output ? "output" : "input"},
+                                {"direction", direction},
                                 {"sync_manager", manager_value(pdo.sync_manager)},
                                 {"pdo", hex_value(pdo.index, 4)},
-                                {"byte", std::string{}},
-                                {"bits", std::string{}},
-                                {"object", std::string{"error"}},
-                                {"type", std::string{}},
-                                {"name", pdo.error}});
+                                {"byte", std::move(byte)},
+                                {"bits", std::move(bits)},
+                                {"object", std::move(object)},
+                                {"type", std::move(type)},
+                                {"name", std::move(name)}});
+            };
+            const std::string none;
+            if (!pdo.error.empty()) {
+                is_complete = false;
+                row(none, none, "error", none, pdo.error);
             }
-            const auto direction = pdo.is_output ? "output" : "input";
             for (const auto& each : pdo.entries) {
-                const auto type = each.type != 0 ? type_text(each.type) : std::string{};
+                const auto type = each.type != 0 ? type_text(each.type) : none;
                 entries.emplace_back(record{{"index", each.index},
                                             {"subindex", each.subindex},
                                             {"name", each.name},
                                             {"type", type},
                                             {"bits", each.bits},
                                             {"bit_offset", each.bit_offset}});
-                rows.push_back({{"position", position},
-                                {"direction", direction},
-                                {"sync_manager", manager_value(pdo.sync_manager)},
-                                {"pdo", hex_value(pdo.index, 4)},
-                                {"byte", value{each.bit_offset, offset_text(each.bit_offset)}},
-                                {"bits", each.bits},
-                                {"object", each.index != 0 ? place_text(each.index, each.subindex) : "gap"},
-                                {"type", type},
-                                {"name", each.name}});
+                row(value{each.bit_offset, offset_text(each.bit_offset)}, each.bits,
+                    each.index != 0 ? place_text(each.index, each.subindex) : "gap", type, each.name);
             }
             record one{{"index", pdo.index},
                        {"name", pdo.name},

@@ -113,8 +113,7 @@ process_objects from_objects(ring& on, std::uint16_t position, const sii_content
             const auto index =
                 static_cast<std::uint16_t>(mailbox.try_number(assignment, static_cast<std::uint8_t>(i)).value_or(0));
             if (index == 0) continue;
-            if (index >= 0x1600 && index <= 0x17FF) manager.carries(true);
-            if (index >= 0x1A00 && index <= 0x1BFF) manager.carries(false);
+            manager.carries_pdo(index);
             assigned_pdo one{.index = index,
                              .name = name_of_object(mailbox, index),
                              .is_output = manager.is_output(),

@@ -28,6 +28,11 @@ struct process_manager {
         if (description.use == sii_sync_manager_use::none)
             description.use = outputs ? sii_sync_manager_use::outputs : sii_sync_manager_use::inputs;
     }
+    /// The same by the PDO's object: outputs are mapped by 1600h to 17FFh, inputs by 1A00h to 1BFFh.
+    constexpr void carries_pdo(std::uint16_t index) {
+        if (index >= 0x1600 && index <= 0x17FF) carries(true);
+        if (index >= 0x1A00 && index <= 0x1BFF) carries(false);
+    }
     [[nodiscard]] std::uint32_t bytes() const noexcept { return bits / 8 + (bits % 8 != 0 ? 1 : 0); }
 };
 

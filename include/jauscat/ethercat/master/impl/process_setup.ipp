@@ -141,8 +141,7 @@ JAUSCAT_FUNCTION progress process_setup::assigned(std::uint32_t value) noexcept 
         if (!takes_objects(value)) return give_back(about_object({.code = master_errc::too_many_entries}));
     } else {
         mapping_ = static_cast<std::uint16_t>(value);
-        if (mapping_ >= 0x1600 && mapping_ <= 0x17FF) managed().carries(true);
-        if (mapping_ >= 0x1A00 && mapping_ <= 0x1BFF) managed().carries(false);
+        managed().carries_pdo(mapping_);
         entry_ = 0;
         if (mapping_ != 0) return go(step::mapping); // 0: a place that is not used
     }
