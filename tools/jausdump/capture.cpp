@@ -155,9 +155,21 @@ std::chrono::nanoseconds time_of(const timeval& when) {
 
 /// A packet on its way out by the loopback interface: it is seen again on its way in.
 bool comes_again(int link_type, bytes frame) {
-    if (link_type != DLT_LINUX_SLL) return false;
-    const auto head = take<cooked_header>(frame, "Linux cooked");
-    return head.direction == direction_outgoing && head.hardware_type == hardware_loopback;
+    cooked_header head{};
+    return link_type == DLT_LINUX_SLL && wire::decode_prefix(head, frame) && head.direction == direction_outgoing &&
+           head.hardware_type == hardware_loopback;
+}
+
+/// The next packet of a capture, or why it is of no use.
+void pass_on(int link_type, const pcap_pkthdr& head, bytes frame, origin& from, const capture_listener& listener,
+             ip_fragments& fragments) {
+    ++from.number;
+    from.time = time_of(head.ts);
+    try {
+        hand_over(packet_of(link_type, frame), from, listener, fragments);
+    } catch (const useless& packet) {
+        listener.skipped(packet.reason);
+    }
 }
 
 } // namespace
@@ -192,14 +204,7 @@ void read_capture(const std::string& path, const capture_listener& listener) {
         if (got == PCAP_ERROR_BREAK || listener.stop()) return tell_left_over();
         if (got != 1)
             throw input_error{path + ": after packet " + std::to_string(from.number) + ": " + pcap_geterr(file.get())};
-        ++from.number;
-        from.time = time_of(head->ts);
-        try {
-            const bytes frame = std::as_bytes(std::span{data, head->caplen});
-            hand_over(packet_of(link_type, frame), from, listener, fragments);
-        } catch (const useless& frame) {
-            listener.skipped(frame.reason);
-        }
+        pass_on(link_type, *head, std::as_bytes(std::span{data, head->caplen}), from, listener, fragments);
         if (!no_size && file_size != 0)
             listener.progress(static_cast<double>(std::ftell(pcap_file(file.get()))) / static_cast<double>(file_size));
     }
@@ -247,15 +252,8 @@ void port_capture::run(const capture_listener& listener) {
             ::poll(&readable, 1, 100);
             continue;
         }
-        try {
-            const bytes frame = std::as_bytes(std::span{data, head->caplen});
-            if (comes_again(link_type, frame)) continue;
-            ++from.number;
-            from.time = time_of(head->ts);
-            hand_over(packet_of(link_type, frame), from, listener, fragments);
-        } catch (const useless& frame) {
-            listener.skipped(frame.reason);
-        }
+        const bytes frame = std::as_bytes(std::span{data, head->caplen});
+        if (!comes_again(link_type, frame)) pass_on(link_type, *head, frame, from, listener, fragments);
     }
 }
 
