@@ -4,6 +4,7 @@
 #include "support/catch.hpp"
 #include "support/until.hpp"
 #include <jauscat/app/bus.hpp>
+#include <jauscat/app/impl/bus_state.hpp>
 #include <jauscat/ethercat/code_texts.hpp>
 
 #include <boost/asio/co_spawn.hpp>
@@ -192,6 +193,14 @@ TEST_CASE("an object of another size than the type is an error") {
     CHECK(std::get<0>(b.read<double>(drive, 0x2000, 0)).message().ends_with(" has 4 bytes, and double has 8"));
     CHECK_FALSE(std::get<0>(b.read<std::uint32_t>(drive, 0x2000, 0)));
     CHECK(b.write(drive, 0x2000, 0, std::int8_t{1}) == ethercat::abort_code::length_mismatch);
+}
+
+TEST_CASE("an object that is not as large as announced is told by both sizes") {
+    const ethercat::master_error found{.code = ethercat::master_errc::size_mismatch, .bytes = 10, .found_bytes = 3};
+    const auto error = app::error_of({.position = 3, .name = "axis"}, found, app::object{0x2000, std::uint8_t{1}});
+    CHECK(error == bus_errc::wrong_size);
+    CHECK(error.message().starts_with("slave 3 (axis), object 0x2000:1: "));
+    CHECK(error.message().ends_with(" (10 bytes expected, 3 found)"));
 }
 
 TEST_CASE("an abort code of the slave reaches the caller") {

@@ -5,6 +5,7 @@
 #include <jauscat/app/impl/named_slaves.ipp>
 #include <jauscat/ethercat/code_texts.hpp>
 #include <jauscat/text/hex.hpp>
+#include <jauscat/text/master_error_text.hpp>
 
 #include <boost/asio/post.hpp>
 
@@ -85,11 +86,13 @@ JAUSCAT_DECL error_code error_of(const slave_info& slave, const ethercat::master
     auto line = name_of(slave);
     if (about) line += ", object " + text::hex_number(about->index, 4);
     if (about && about->subindex) line += ":" + std::to_string(*about->subindex);
-    if (plain == bus_errc::wrong_size && !type.empty())
+    if (plain != bus_errc::wrong_size)
+        line += ": " + plain.message();
+    else if (type.empty()) // not as large as the slave has announced
+        line += ": " + text::explain(error);
+    else
         line += " has " + std::to_string(error.found_bytes) + " bytes, and " + std::string{type} + " has " +
                 std::to_string(error.bytes);
-    else
-        line += ": " + plain.message();
     return explained(plain, line);
 }
 JAUSCAT_DECL error_code error_of_loss(ethercat::al_state goal, const ethercat::master_error& why) {

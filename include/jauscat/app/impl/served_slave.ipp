@@ -255,6 +255,11 @@ inline std::string_view text_of(bridging::stop_order what) noexcept {
     return "stop";
 }
 
+/// The state in which its components work.
+inline ethercat::al_state goal_of(const bridging::slave_front& slave) noexcept {
+    return slave.options().cyclic ? ethercat::al_state::op : ethercat::al_state::pre_op;
+}
+
 JAUSCAT_DECL void served_slave::slave_up(const bridging::slave_front& slave, const ethercat::slave_record& record,
                                          bool ready) {
     watcher().slave_up(slave, record, ready);
@@ -262,7 +267,7 @@ JAUSCAT_DECL void served_slave::slave_up(const bridging::slave_front& slave, con
     if (!ready) return;
     has_been_up_ = true;
     last_problem_.clear();
-    log_event(name() + " answers" + (bridge_.options().period > duration{} ? ", in OP" : ", in PRE-OP"));
+    log_event(name() + " answers, in " + std::string{describe(goal_of(slave))});
     bridge_.call_later(&bridge_state::on_up, which_);
 }
 JAUSCAT_DECL void served_slave::bring_up_failed(const bridging::slave_front& slave, const ethercat::master_error& why) {
@@ -277,8 +282,7 @@ JAUSCAT_DECL void served_slave::bring_up_failed(const bridging::slave_front& sla
 JAUSCAT_DECL void served_slave::slave_lost(const bridging::slave_front& slave, bridging::loss what,
                                            const ethercat::master_error& why) {
     watcher().slave_lost(slave, what, why);
-    const bool is_cyclic = bridge_.options().period > duration{};
-    const auto error = error_of_loss(is_cyclic ? ethercat::al_state::op : ethercat::al_state::pre_op, why);
+    const auto error = error_of_loss(goal_of(slave), why);
     bridge_.bus()->note_served_lost(*this, error);
     last_problem_ = error.message();
     log_event(name() + " is lost: " + std::string{text_of(what)} + " (" + last_problem_ + ")");
