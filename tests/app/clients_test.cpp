@@ -395,37 +395,58 @@ TEST_CASE("a search finds who appears while it goes on, and ends at its count") 
     CHECK(found->front().identification == "Primitive Driver");
 }
 
-/// The component 2.1.35.1 of a node whose node manager says nothing. It says what it is, and not what it can do.
-class peer_without_manager {
+/// A peer that is no node: each message that comes goes to `on_message`.
+class scripted_peer {
   public:
-    peer_without_manager(boost::asio::io_context& context, const std::array<std::uint16_t, 2>& ports)
+    scripted_peer(boost::asio::io_context& context, const std::array<std::uint16_t, 2>& ports)
         : to_{boost::asio::ip::address_v4::loopback(), ports[0]},
           socket_{context, {boost::asio::ip::address_v4::loopback(), ports[1]}} {
-        put(*jaus::make_message({.destination = {255, 255, 255, 255}, .source = self}, jaus::report_heartbeat_pulse{},
-                                out_));
         receive();
+    }
+    scripted_peer(const scripted_peer&) = delete;
+    scripted_peer& operator=(const scripted_peer&) = delete;
+    virtual ~scripted_peer() = default;
+
+  protected:
+    void put(std::span<const std::byte> message) {
+        socket_.send_to(boost::asio::buffer(message.data(), message.size()), to_);
+    }
+    /// Of a small body.
+    void put(const jaus::header& head, const auto& body) {
+        std::array<std::byte, 200> memory{};
+        put(*jaus::make_message(head, body, memory));
+    }
+
+  private:
+    virtual void on_message(const jaus::header& head) = 0;
+    void receive() {
+        socket_.async_receive(boost::asio::buffer(in_), [this](error_code error, std::size_t size) {
+            if (error) return;
+            on_message(jaus::split(std::span{in_}.first(size)).header);
+            receive();
+        });
+    }
+
+    boost::asio::ip::udp::endpoint to_;
+    boost::asio::ip::udp::socket socket_;
+    std::array<std::byte, 5000> in_{};
+};
+
+/// The component 2.1.35.1 of a node whose node manager says nothing. It says what it is, and not what it can do.
+class peer_without_manager final : public scripted_peer {
+  public:
+    peer_without_manager(boost::asio::io_context& context, const std::array<std::uint16_t, 2>& ports)
+        : scripted_peer{context, ports} {
+        put({.destination = {255, 255, 255, 255}, .source = self}, jaus::report_heartbeat_pulse{});
     }
     static constexpr jaus::address self{1, 35, 1, 2};
 
   private:
-    void put(std::span<const std::byte> message) {
-        socket_.send_to(boost::asio::buffer(message.data(), message.size()), to_);
+    void on_message(const jaus::header& head) override {
+        if (head.command_code == jaus::command_code_of<jaus::query_identification> && head.destination == self)
+            put({.destination = head.source, .source = self, .sequence_number = head.sequence_number},
+                jaus::report_identification{jaus::query_type::component_identification, 0, 60001, "communicator"});
     }
-    void receive() {
-        socket_.async_receive(boost::asio::buffer(in_), [this](error_code error, std::size_t size) {
-            if (error) return;
-            const auto head = jaus::split(std::span{in_}.first(size)).header;
-            if (head.command_code == jaus::command_code_of<jaus::query_identification> && head.destination == self)
-                put(*jaus::make_message(
-                    {.destination = head.source, .source = self, .sequence_number = head.sequence_number},
-                    jaus::report_identification{jaus::query_type::component_identification, 0, 60001, "communicator"},
-                    out_));
-            receive();
-        });
-    }
-    boost::asio::ip::udp::endpoint to_;
-    boost::asio::ip::udp::socket socket_;
-    std::array<std::byte, 5000> in_{}, out_{};
 };
 
 TEST_CASE("a component is found that is heard itself, without a node manager") {
@@ -486,30 +507,17 @@ struct pending_operations : driver_and_operator {
 };
 
 /// The node manager 2.1.1.1 of a program that reports 254 nodes of 254 components, and answers no other question.
-class boastful_peer {
+class boastful_peer final : public scripted_peer {
   public:
     boastful_peer(boost::asio::io_context& context, const std::array<std::uint16_t, 2>& ports)
-        : to_{boost::asio::ip::address_v4::loopback(), ports[0]},
-          socket_{context, {boost::asio::ip::address_v4::loopback(), ports[1]}},
-          timer_{context} {
-        put(*jaus::make_message({.destination = {1, 1, 1, 1}, .source = self}, jaus::report_heartbeat_pulse{}, in_));
-        receive();
+        : scripted_peer{context, ports}, timer_{context} {
+        put({.destination = {1, 1, 1, 1}, .source = self}, jaus::report_heartbeat_pulse{});
     }
     unsigned asked{}; ///< questions of components
 
   private:
     static constexpr jaus::address self{1, 1, 1, 2};
-    void put(std::span<const std::byte> message) {
-        socket_.send_to(boost::asio::buffer(message.data(), message.size()), to_);
-    }
-    void receive() {
-        socket_.async_receive(boost::asio::buffer(in_), [this](error_code error, std::size_t size) {
-            if (error) return;
-            answer(jaus::split(std::span{in_}.first(size)).header);
-            receive();
-        });
-    }
-    void answer(const jaus::header& head) {
+    void on_message(const jaus::header& head) override {
         if (head.destination != self) ++asked;
         if (head.command_code != jaus::command_code_of<jaus::query_configuration> || head.source.component != 32)
             return;
@@ -533,10 +541,7 @@ class boastful_peer {
         });
     }
 
-    boost::asio::ip::udp::endpoint to_;
-    boost::asio::ip::udp::socket socket_;
     boost::asio::steady_timer timer_;
-    std::array<std::byte, 5000> in_{};
     std::array<std::byte, jaus::header_size + jaus::max_body_size> packet_{};
     std::vector<std::byte> body_ = std::vector<std::byte>(200'000);
     std::optional<jaus::large_data_sender> report_{};
@@ -743,44 +748,26 @@ TEST_CASE("a receiver says which option its memory of commands has") {
 }
 
 /// The component 2.1.33.1, which answers questions as the test says.
-class answering_peer {
+class answering_peer final : public scripted_peer {
   public:
-    answering_peer(boost::asio::io_context& context, const std::array<std::uint16_t, 2>& ports)
-        : to_{boost::asio::ip::address_v4::loopback(), ports[0]},
-          socket_{context, {boost::asio::ip::address_v4::loopback(), ports[1]}} {
-        receive();
-    }
+    using scripted_peer::scripted_peer;
     static constexpr jaus::address self{1, 33, 1, 2};
     std::function<void(const jaus::header& question)> on_question{};
 
     void answer(jaus::header question, std::uint16_t number, double value) {
         question.sequence_number = number;
-        std::array<std::byte, 100> memory{};
-        put(*jaus::make_message(jaus::answer_to(question, self),
-                                jaus::report_wrench_effort{.propulsive_linear_effort_x = value}, memory));
+        put(jaus::answer_to(question, self), jaus::report_wrench_effort{.propulsive_linear_effort_x = value});
     }
 
   private:
-    void put(std::span<const std::byte> message) {
-        socket_.send_to(boost::asio::buffer(message.data(), message.size()), to_);
-    }
-    void receive() {
-        socket_.async_receive(boost::asio::buffer(in_), [this](error_code error, std::size_t size) {
-            if (error) return;
-            const auto head = jaus::split(std::span{in_}.first(size)).header;
-            if (head.command_code == jaus::command_code_of<jaus::query_wrench_effort>) {
-                if (head.ack_nak == jaus::ack_nak::request)
-                    static_cast<void>(jaus::acknowledge(head, self, jaus::ack_nak::ack,
-                                                        [this](std::span<const std::byte> message) { put(message); }));
-                if (std::exchange(last_, head.sequence_number) != head.sequence_number) on_question(head);
-            }
-            receive();
-        });
+    void on_message(const jaus::header& head) override {
+        if (head.command_code != jaus::command_code_of<jaus::query_wrench_effort>) return;
+        if (head.ack_nak == jaus::ack_nak::request)
+            static_cast<void>(jaus::acknowledge(head, self, jaus::ack_nak::ack,
+                                                [this](std::span<const std::byte> message) { put(message); }));
+        if (std::exchange(last_, head.sequence_number) != head.sequence_number) on_question(head);
     }
 
-    boost::asio::ip::udp::endpoint to_;
-    boost::asio::ip::udp::socket socket_;
-    std::array<std::byte, 5000> in_{};
     std::optional<std::uint16_t> last_{};
 };
 
