@@ -23,6 +23,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace std::chrono_literals;
@@ -40,25 +41,40 @@ namespace {
 constexpr std::size_t drive_count = 2;
 constexpr jaus::address arm{.instance = 1, .component = 54, .node = 1, .subsystem = 2};
 
+/// The mode of operation and the byte behind it have changed places.
+constexpr auto other_outputs = [] {
+    auto entries = cia402::drive_outputs<>;
+    std::swap(entries[1], entries[2]);
+    return entries;
+}();
+
 struct emulated_joint {
+    explicit emulated_joint(const ethercat::slave_description& is = cia402::drive_description<>) : description{is} {}
+
     cia402::emulated_drive<> drive{};
-    ethercat::standard_objects objects{cia402::drive_description<>, drive};
-    ethercat::slave slave{cia402::drive_description<>, objects};
+    ethercat::slave_description description;
+    ethercat::standard_objects objects{description, drive};
+    ethercat::slave slave{description, objects};
+    bool was_up{};
+    unsigned bring_ups{};
 
     static bool has_clock() { return false; }
     void work(std::span<std::byte>, jauscat::time_point now) { on_time(now); }
     void on_time(jauscat::time_point now) {
         slave.work();
         slave.on_time(now);
+        const bool is_up = slave.state() != ethercat::al_state::init;
+        if (!std::exchange(was_up, is_up) && is_up) ++bring_ups;
         drive.work(slave, now);
     }
 };
 
 class drive_bus : public jauscat::test::basic_emulated_bus<emulated_joint> {
   public:
-    drive_bus()
-        : basic_emulated_bus{[](auto& made) {
-              while (made.size() != drive_count) made.emplace_back();
+    explicit drive_bus(const ethercat::slave_description& last)
+        : basic_emulated_bus{[&](auto& made) {
+              while (made.size() != drive_count - 1) made.emplace_back();
+              made.emplace_back(last);
           }} {}
 
     void set_fault(std::size_t i, std::uint16_t code) {
@@ -92,8 +108,9 @@ class configuration {
 
 /// A component in front of two drives, and an operator that asks for its status.
 struct bench {
-    explicit bench(bool has_error_code = true, bool has_thread = false)
-        : bus{context, drives.where(), {.thread = has_thread, .log = [](std::string_view) {}}} {
+    explicit bench(bool has_error_code = true, bool has_thread = false,
+                   const ethercat::slave_description& last = cia402::drive_description<>)
+        : drives{last}, bus{context, drives.where(), {.thread = has_thread, .log = [](std::string_view) {}}} {
         std::array<bridging::joint_options, drive_count> joints{};
         std::vector<jauscat::slave> slaves;
         for (std::size_t i = 0; i != joints.size(); ++i) {
@@ -144,7 +161,7 @@ struct bench {
     std::vector<drive_fault> told{};
     unsigned ended{};
     std::optional<status> state{};
-    drive_bus drives{};
+    drive_bus drives;
     configuration config{};
     asio::io_context context{1};
     jauscat::node node{context, config.options(lines)};
@@ -173,6 +190,24 @@ TEST_CASE("a bridge does not serve joints whose ramp takes longer than the limit
                       "the 500 ms in which it has to be at rest");
     joints[0].axis.deceleration = 100'000;
     CHECK_NOTHROW(serve());
+}
+
+TEST_CASE("a drive that maps its objects otherwise than its joint's places is refused by name, once") {
+    auto last = cia402::drive_description<>;
+    last.outputs = other_outputs;
+    bench b{true, false, last};
+    b.node.start();
+    const auto refusals = [&] {
+        return std::ranges::count_if(b.lines, [](const auto& line) { return line.find("is lost") != line.npos; });
+    };
+    REQUIRE(b.until([&] { return refusals() != 0; }));
+    CHECK(b.has_line("slave 1 is lost: it does not take part in the process data (object 0x6060:0: the slave's process "
+                     "data do not have it where the program does: change the mapping or the program (8 bits from bit "
+                     "16 on expected, 8 bits from bit 24 on found))"));
+    REQUIRE(b.until([&] { return b.drives.with(1, [](auto& each) { return each.bring_ups == 3; }); }));
+    CHECK(refusals() == 1);
+    CHECK(b.state != status::ready);
+    b.node.stop();
 }
 
 TEST_CASE("a drive's fault behind a bridge is logged with its code, called back, and in the status") {

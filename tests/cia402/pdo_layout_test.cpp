@@ -20,8 +20,8 @@ TEST_CASE("the usual process data have their places at compile time") {
     constexpr auto places = places_of(cyclic_outputs, cyclic_inputs);
     STATIC_REQUIRE(cyclic_outputs.size() == 14);
     STATIC_REQUIRE(cyclic_inputs.size() == 16);
-    STATIC_REQUIRE(places.target_position == pdo_place{32, 32});
-    STATIC_REQUIRE(places.torque == pdo_place{96, 16});
+    STATIC_REQUIRE(places.target_position == pdo_place{32, 32, 0, 0x607A});
+    STATIC_REQUIRE(places.torque == pdo_place{96, 16, 0, 0x6077});
     STATIC_REQUIRE(!places.profile_velocity.is_mapped());
     STATIC_REQUIRE(places.missing_for(mode::cyclic_synchronous_torque) == nullptr);
 }
@@ -52,10 +52,10 @@ TEST_CASE("a layout read from a drive has padding, odd widths and several axes")
     pdo_layout<16> outputs;
     for (const std::uint32_t entry : {0x60400010u, 0x00000003u, 0x607A0020u, 0x60600010u, 0x68400010u, 0x68FF0020u})
         REQUIRE(outputs.append(mapping_of(entry)));
-    CHECK(outputs.find(objects::target_position) == pdo_place{19, 32});
-    CHECK(outputs.find(objects::mode_of_operation) == pdo_place{51, 16}); // wider than the object
-    CHECK(outputs.find(objects::controlword, 1) == pdo_place{67, 16});
-    CHECK(outputs.find(objects::target_velocity, 1) == pdo_place{83, 32});
+    CHECK(outputs.find(objects::target_position) == pdo_place{19, 32, 0, 0x607A});
+    CHECK(outputs.find(objects::mode_of_operation) == pdo_place{51, 16, 0, 0x6060}); // wider than the object
+    CHECK(outputs.find(objects::controlword, 1) == pdo_place{67, 16, 0, 0x6840});
+    CHECK(outputs.find(objects::target_velocity, 1) == pdo_place{83, 32, 0, 0x68FF});
     CHECK(!outputs.find(objects::target_velocity).is_mapped());
     CHECK(!outputs.find(0, 0).is_mapped());
     CHECK(outputs.size() == 15);

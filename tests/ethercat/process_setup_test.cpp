@@ -222,6 +222,60 @@ TEST_CASE("a mailbox that does not know CoE leaves all to the SII") {
     CHECK(made->input_size == 4);
 }
 
+TEST_CASE("objects get their places in the process data") {
+    std::array<process_object, 4> wanted{
+        process_object{.index = 0x6041}, process_object{.index = 0x607A, .is_output = true},
+        process_object{.index = 0x6040, .is_output = true}, process_object{.index = 0x607A}}; // an output only
+    wanted[3].bits = 8;                                                                       // of an earlier search
+    SECTION("by the slave's objects") {
+        bench b{drive, sii{}.managers({out_mailbox, in_mailbox, {0x1100, 0, 0x64, 1, 3}, {0x1200, 0, 0x20, 1, 4}})};
+        REQUIRE(b.up());
+        REQUIRE(b.link.run(b.master, configure{.station = 1, .objects = wanted}));
+        CHECK(wanted[0].bits == 16);
+        CHECK(wanted[0].first_bit == 0);
+        CHECK(wanted[1].bits == 32);
+        CHECK(wanted[1].first_bit == 16);
+        CHECK(wanted[2].bits == 16);
+        CHECK(wanted[2].first_bit == 0);
+        CHECK(wanted[3].bits == 0);
+    }
+    SECTION("by the SII, behind those of the SyncManagers before") {
+        bench b{without_mailbox(drive), sii{}
+                                            .pdo(true, 0x1601, 1, 32)
+                                            .managers({{0x1100, 0, 0x64, 1, 3},
+                                                       {0x1200, 0, 0x64, 1, 3},
+                                                       {0x1300, 0, 0x20, 1, 4},
+                                                       {0x1400, 0, 0x20, 1, 4}})
+                                            .pdo(true, 0x1600, 0, 12)
+                                            .pdo(false, 0x1A00, 2, 8)
+                                            .pdo(false, 0x1A01, 3, 8)};
+        // All entries are 7000h:1: the first in the order of the SII counts.
+        std::array<process_object, 2> both{process_object{.index = 0x7000, .subindex = 1, .is_output = true},
+                                           process_object{.index = 0x7000, .subindex = 1}};
+        REQUIRE(b.up());
+        REQUIRE(b.link.run(b.master, configure{.station = 1, .objects = both}));
+        CHECK(both[0].bits == 32);
+        CHECK(both[0].first_bit == 16); // 12 bits are 2 bytes
+        CHECK(both[1].bits == 8);
+        CHECK(both[1].first_bit == 0);
+    }
+    SECTION("where the SII counts for one SyncManager only") {
+        bench b{drive, sii{}
+                           .managers({out_mailbox, in_mailbox, {0x1100, 0, 0x64, 1, 3}, {0x1200, 0, 0x20, 1, 4}})
+                           .pdo(true, 0x1600, 2, 32)
+                           .pdo(false, 0x1A00, 3, 8)};
+        b.on_sdo = [&](std::span<std::byte> sdo) {
+            if (to_hex(sdo.subspan(1, 2)) == "13 1c") no_such_object(sdo);
+        };
+        std::array<process_object, 2> both{process_object{.index = 0x7000, .subindex = 1, .is_output = true},
+                                           process_object{.index = 0x7000, .subindex = 1}};
+        REQUIRE(b.up());
+        REQUIRE(b.link.run(b.master, configure{.station = 1, .objects = both}));
+        CHECK(both[0].bits == 0); // the objects of the slave say what its outputs are
+        CHECK(both[1].bits == 8);
+    }
+}
+
 TEST_CASE("a virtual SyncManager is not switched on, an FMMU maps its place") {
     bench b{without_mailbox(drive),
             sii{}

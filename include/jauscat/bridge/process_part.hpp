@@ -68,6 +68,12 @@ class process_part {
                                                                            [[maybe_unused]] duration period) {
         return {};
     }
+    /// Objects that the part has in the process data of a slave of the group: they get their places when these are set
+    /// up. A list for each slave, which stays until then; the same objects for each call.
+    [[nodiscard]] virtual std::span<ethercat::process_object> objects([[maybe_unused]] std::size_t slave) { return {}; }
+    /// They have their places. An error, wrong_mapping, when the part cannot work with these: the slave does not come
+    /// to OP.
+    [[nodiscard]] virtual ethercat::master_error check_objects([[maybe_unused]] std::size_t slave) { return {}; }
     /// The times that the component has to keep, before each `start`; a bridge asks when it is given the part, too.
     /// Returns why the part cannot keep them, as a sentence that lives as long as the part: the component then stays in
     /// Failure, and a bridge throws it. Empty: it can.

@@ -230,6 +230,15 @@ class ring {
             steps, [](const auto& each) { return each.station; }, is_expected,
             [&](place& at, const ethercat::master_error& error) { set_up(at, error, next, now, out); }, now);
     }
+    // The slave in the group of a part that has process data of it. The part is nullptr behind the last one.
+    struct part_place {
+        process_part* part{};
+        std::size_t slave{};
+    };
+    [[nodiscard]] JAUSCAT_FUNCTION static part_place part_of(const place& at, std::size_t which);
+    [[nodiscard]] JAUSCAT_FUNCTION static std::span<ethercat::process_object> objects_of(const place& at);
+    // Whether one part after the other can work with the process data; each has them set up for its objects.
+    JAUSCAT_FUNCTION void configured(place& at, ethercat::master_error error, time_point now, jaus::message_sink out);
     // One list after the other: those of all parts that have process data of the slave.
     [[nodiscard]] JAUSCAT_FUNCTION const ethercat::init_command* next_start_up_object(const place& at) const;
     JAUSCAT_FUNCTION bool begin_start_up(place& at, const ethercat::init_command& object);

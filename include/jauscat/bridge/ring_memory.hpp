@@ -49,6 +49,7 @@ struct ring_place {
     std::optional<time_point> looked_at{}; // the frame that said so
     std::size_t start_up_object{};         // the next one in PRE-OP
     enum class start_up_step : std::uint8_t { read, write, verify } start_up{};
+    std::size_t checked_parts{};    // can work with its process data
     std::span<std::byte> outputs{}; // in data_, if it is exchanged
     std::span<const std::byte> inputs{};
     const ethercat::slave_status* status{};

@@ -19,6 +19,14 @@ namespace jauscat::text {
     if (error.code == size_mismatch || error.code == data_too_long)
         text +=
             " (" + std::to_string(error.bytes) + " bytes expected, " + std::to_string(error.found_bytes) + " found)";
+    if (error.code == wrong_mapping) {
+        const auto place = [](unsigned bits, unsigned first) {
+            return bits == 0 ? std::string{"none"}
+                             : std::to_string(bits) + " bits from bit " + std::to_string(first) + " on";
+        };
+        text += " (" + place(error.bits, error.first_bit) + " expected, " + place(error.found_bits, error.found_at) +
+                " found)";
+    }
     if (const auto reason = describe_reason(error); !reason.empty())
         text += ": " + std::string{reason} + " (" + hex_number(reason_code(error), 8) + ")";
     return text;

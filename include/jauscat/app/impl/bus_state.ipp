@@ -42,6 +42,7 @@ JAUSCAT_DECL error_code error_of(const ethercat::master_error& error) noexcept {
     case sii_malformed:
     case no_fmmu:
     case too_many_managers:
+    case wrong_mapping:
     case no_direction:
     case too_many_entries:
     case image_full:
@@ -86,9 +87,9 @@ JAUSCAT_DECL error_code error_of(const slave_info& slave, const ethercat::master
     auto line = name_of(slave);
     if (about) line += ", object " + text::hex_number(about->index, 4);
     if (about && about->subindex) line += ":" + std::to_string(*about->subindex);
-    if (plain != bus_errc::wrong_size)
+    if (plain != bus_errc::wrong_size && plain != bus_errc::not_configurable)
         line += ": " + plain.message();
-    else if (type.empty()) // not as large as the slave has announced
+    else if (plain == bus_errc::not_configurable || type.empty()) // not as large as the slave has announced
         line += ": " + text::explain(error);
     else
         line += " has " + std::to_string(error.found_bytes) + " bytes, and " + std::string{type} + " has " +
@@ -98,6 +99,7 @@ JAUSCAT_DECL error_code error_of(const slave_info& slave, const ethercat::master
 JAUSCAT_DECL error_code error_of_loss(ethercat::al_state goal, const ethercat::master_error& why) {
     auto plain = error_of(why);
     if (!plain || plain == bus_errc::stopped) plain = bus_errc::slave_lost;
+    if (plain == bus_errc::not_configurable) return explained(plain, text::explain(why));
     if (why.state == ethercat::al_state{}) return plain;
     auto line = "left " + std::string{describe(goal)} + ": " + std::string{describe(why.state)};
     if (why.al_status != ethercat::al_status_code::none) line += ", " + plain.message();

@@ -284,8 +284,9 @@ JAUSCAT_DECL void served_slave::slave_lost(const bridging::slave_front& slave, b
     watcher().slave_lost(slave, what, why);
     const auto error = error_of_loss(goal_of(slave), why);
     bridge_.bus()->note_served_lost(*this, error);
-    last_problem_ = error.message();
-    log_event(name() + " is lost: " + std::string{text_of(what)} + " (" + last_problem_ + ")");
+    const auto problem = error.message();
+    if (std::exchange(last_problem_, problem) != problem) // it comes again each time it is brought up
+        log_event(name() + " is lost: " + std::string{text_of(what)} + " (" + problem + ")");
     bridge_.call_later(&bridge_state::on_lost, which_, error);
     if (!slave.options().is_taken_over) return;
     post([this] { // the bus brings it up again

@@ -451,11 +451,12 @@ JAUSCAT_FUNCTION bool ring::begin_configure(place& at) {
         return each.at == phase::pre_op && each.front->options().cyclic && each.front->timing().watchdog == watchdog &&
                next_start_up_object(each) == nullptr;
     };
-    if (const auto all = gather(at, configurations_, joins,
-                                [](const place& each) { return ethercat::configure_place{each.front->station()}; });
+    if (const auto all = gather(
+            at, configurations_, joins,
+            [](const place& each) { return ethercat::configure_place{each.front->station(), objects_of(each)}; });
         !all.empty())
         return begin_job(at, work::configure_all, ethercat::configure_all{all, watchdog});
-    return begin_job(at, work::configure, ethercat::configure{at.front->station(), watchdog});
+    return begin_job(at, work::configure, ethercat::configure{at.front->station(), watchdog, objects_of(at)});
 }
 
 JAUSCAT_FUNCTION bool ring::goes_to_safe_op(const place& at) noexcept {
@@ -475,14 +476,35 @@ JAUSCAT_FUNCTION void ring::brought_up_all(time_point now) {
         [&](place& at, const ethercat::master_error& error) { brought_up(at, error, now); }, now);
 }
 
-JAUSCAT_FUNCTION const ethercat::init_command* ring::next_start_up_object(const place& at) const {
-    std::size_t which = at.start_up_object;
+JAUSCAT_FUNCTION ring::part_place ring::part_of(const place& at, std::size_t which) {
     for (const component* unit : at.front->components()) {
         auto* const process = unit->process();
-        if (process == nullptr) continue;
+        if (process == nullptr || which-- != 0) continue;
         const auto fronts = process->fronts();
-        const auto slave = static_cast<std::size_t>(std::ranges::find(fronts, at.front) - fronts.begin());
-        const auto objects = process->part().start_up(slave, options_.period);
+        return {&process->part(), static_cast<std::size_t>(std::ranges::find(fronts, at.front) - fronts.begin())};
+    }
+    return {};
+}
+
+JAUSCAT_FUNCTION std::span<ethercat::process_object> ring::objects_of(const place& at) {
+    const auto in = part_of(at, at.checked_parts);
+    return in.part == nullptr ? std::span<ethercat::process_object>{} : in.part->objects(in.slave);
+}
+
+JAUSCAT_FUNCTION void ring::configured(place& at, ethercat::master_error error, time_point now,
+                                       jaus::message_sink out) {
+    const auto in = part_of(at, at.checked_parts);
+    if (error == ethercat::master_error{} && in.part != nullptr) error = in.part->check_objects(in.slave);
+    ++at.checked_parts;
+    set_up(at, error, objects_of(at).empty() ? phase::configured : phase::pre_op, now, out);
+}
+
+JAUSCAT_FUNCTION const ethercat::init_command* ring::next_start_up_object(const place& at) const {
+    std::size_t which = at.start_up_object;
+    for (std::size_t i = 0;; ++i) {
+        const auto in = part_of(at, i);
+        if (in.part == nullptr) break;
+        const auto objects = in.part->start_up(in.slave, options_.period);
         if (which < objects.size()) return &objects[which];
         which -= objects.size();
     }
@@ -537,7 +559,7 @@ JAUSCAT_FUNCTION void ring::complete(time_point now, jaus::message_sink out) {
     case work::scan: return cleared(at, master_.result<ethercat::scan>().value_or(0), now);
     case work::bring_up: return brought_up(at, result, now);
     case work::start_up: return started_up(at, result, now, out);
-    case work::configure: return set_up(at, result, phase::configured, now, out);
+    case work::configure: return configured(at, result, now, out);
     case work::clocks: return clocks_set_up(at, result, now, out);
     case work::clock_look: return clock_looked_at(at, result, now, out);
     case work::sync: return sync_started(at, result, now, out);
@@ -546,8 +568,10 @@ JAUSCAT_FUNCTION void ring::complete(time_point now, jaus::message_sink out) {
     case work::place: return placed(at, result, now, out);
     case work::bring_up_all: return brought_up_all(now);
     case work::configure_all:
-        return set_up_all(
-            configurations_, phase::configured, [](const place& each) { return each.at == phase::pre_op; }, now, out);
+        return complete_all(
+            configurations_, [](const auto& each) { return each.station; },
+            [](const place& each) { return each.at == phase::pre_op; },
+            [&](place& each, const ethercat::master_error& error) { configured(each, error, now, out); }, now);
     case work::safe_op_all:
         return set_up_all(
             state_changes_, phase::safe_op, [](const place& each) { return goes_to_safe_op(each); }, now, out);
@@ -872,6 +896,7 @@ JAUSCAT_FUNCTION void ring::lose(place& at, loss what, const ethercat::master_er
     at.at = phase::absent;
     at.clock_is_set = false;
     at.start_up_object = 0;
+    at.checked_parts = 0;
     at.start_up = {};
     at.next_try = was_up ? now : saturating_add(now, at.front->timing().bring_up_interval);
     std::array<bool, component_capacity> were_up{};

@@ -42,6 +42,35 @@ template <std::size_t Joints> class joint_part final : public process_part {
         }
         return std::span{commands_}.first(count);
     }
+    /// Those whose places name them: see cia402::pdo_layout::find.
+    [[nodiscard]] std::span<ethercat::process_object> objects(std::size_t slave) override {
+        const auto first = first_object_of(slave);
+        std::size_t count = 0;
+        for_each_object([&](std::size_t of, const cia402::pdo_place& at, bool is_output) {
+            if (of == slave)
+                objects_[first + count++] = {.index = at.index, .subindex = at.subindex, .is_output = is_output};
+        });
+        return std::span{objects_}.subspan(first, count);
+    }
+    /// Each has to be where the places have it.
+    [[nodiscard]] ethercat::master_error check_objects(std::size_t slave) override {
+        ethercat::master_error error{};
+        auto next = first_object_of(slave);
+        for_each_object([&](std::size_t of, const cia402::pdo_place& at, bool) {
+            if (of != slave) return;
+            const auto& found = objects_[next++];
+            if (error.code != ethercat::master_errc::ok || (found.bits == at.bits && found.first_bit == at.first_bit))
+                return;
+            error = {.code = ethercat::master_errc::wrong_mapping,
+                     .index = at.index,
+                     .subindex = at.subindex,
+                     .bits = at.bits,
+                     .found_bits = found.bits,
+                     .first_bit = static_cast<std::uint16_t>(at.first_bit),
+                     .found_at = static_cast<std::uint16_t>(found.first_bit)};
+        });
+        return error;
+    }
     /// The ramp from the highest velocity of each joint has to end within the limit. A stop whose ramp takes longer
     /// than `ramp_limit` is a quick stop.
     [[nodiscard]] std::string_view use_times(const process_times& times) override {
@@ -157,6 +186,19 @@ template <std::size_t Joints> class joint_part final : public process_part {
         answered,   // and the inputs are later than that
     };
 
+    // f(slave, place, is_output)
+    void for_each_object(auto&& f) const {
+        for (const auto& each : joints_)
+            each.places.for_each([&](const cia402::pdo_place& at, bool is_output) {
+                if (at.is_mapped() && at.index != 0) f(each.slave, at, is_output);
+            });
+    }
+    // Those of the slaves before it come first.
+    [[nodiscard]] std::size_t first_object_of(std::size_t slave) const {
+        std::size_t first = 0;
+        for_each_object([&](std::size_t of, const cia402::pdo_place&, bool) { first += of < slave ? 1 : 0; });
+        return first;
+    }
     /// With the drive's present error code, which may be another one than when the axis failed.
     [[nodiscard]] std::optional<drive_fault> fault_of(std::size_t joint) const noexcept {
         const auto& axis = group_.axis(joint);
@@ -186,10 +228,11 @@ template <std::size_t Joints> class joint_part final : public process_part {
         return translate::errc::actuator_not_ready;
     }
     [[nodiscard]] static bool fits(const cia402::axis_places& at, std::size_t outputs, std::size_t inputs) noexcept {
-        const auto all_fit = [](std::size_t size, auto... places) { return (places.fits(size) && ...); };
-        return all_fit(outputs, at.controlword, at.mode, at.target_position, at.target_velocity, at.target_torque,
-                       at.profile_velocity) &&
-               all_fit(inputs, at.statusword, at.mode_display, at.position, at.velocity, at.torque, at.error_code);
+        bool all = true;
+        at.for_each([&](const cia402::pdo_place& each, bool is_output) {
+            all = all && each.fits(is_output ? outputs : inputs);
+        });
+        return all;
     }
     /// In a mode that has the ramp of axis_options::deceleration.
     [[nodiscard]] bool has_ramps() const noexcept {
@@ -258,6 +301,7 @@ template <std::size_t Joints> class joint_part final : public process_part {
     std::array<joint_options, Joints> joints_;
     std::array<cia402::axis_start_up, Joints> start_up_{};
     std::array<ethercat::init_command, Joints * cia402::axis_start_up::capacity> commands_{};
+    std::array<ethercat::process_object, Joints * cia402::axis_places::capacity> objects_{};
     joint_group<Joints> group_;
     duration period_{}, ramp_limit_{duration::max()};
     std::array<duration, Joints> cycles_{}; // 60C2h, where it was asked for

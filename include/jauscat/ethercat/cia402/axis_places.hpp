@@ -31,6 +31,16 @@ struct axis_places {
     /// The mode where 6061h is not mapped: the one that 6060h has been set to by SDO.
     cia402::mode fixed_mode{};
 
+    /// Calls `f(place, is_output)` for each of them.
+    constexpr void for_each(auto&& f) const {
+        for (const auto* each :
+             {&controlword, &mode, &target_position, &target_velocity, &target_torque, &profile_velocity})
+            f(*each, true);
+        for (const auto* each : {&statusword, &mode_display, &position, &velocity, &torque, &error_code})
+            f(*each, false);
+    }
+    static constexpr std::size_t capacity = 12;
+
     JAUSCAT_CONSTEXPR void store(const axis_targets& targets, std::span<std::byte> outputs) const noexcept;
     [[nodiscard]] JAUSCAT_CONSTEXPR axis_feedback load(std::span<const std::byte> inputs) const noexcept;
     /// The first object that `mode` needs and the process data do not have; nullptr if it can be used. A drive with

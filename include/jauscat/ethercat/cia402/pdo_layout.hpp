@@ -17,7 +17,9 @@ namespace jauscat::cia402 {
 /// The place of an object in outputs or inputs. Values are little endian and start at any bit.
 struct pdo_place {
     std::uint32_t first_bit{};
-    std::uint8_t bits{}; ///< 0: the process data do not have the object
+    std::uint8_t bits{};     ///< 0: the process data do not have the object
+    std::uint8_t subindex{}; ///< of the object
+    std::uint16_t index{};   ///< 0: not known, as of a place that was not found in a layout
 
     [[nodiscard]] constexpr bool is_mapped() const noexcept { return bits != 0; }
     [[nodiscard]] constexpr bool fits(std::size_t bytes) const noexcept {
@@ -89,7 +91,7 @@ template <std::size_t Capacity = 64> class pdo_layout {
     [[nodiscard]] constexpr bool append(const ethercat::pdo_mapping& mapped) noexcept {
         if (count_ == Capacity) return false;
         entries_[count_++] = {
-            .index = mapped.index, .subindex = mapped.subindex, .place = {.first_bit = bits_, .bits = mapped.bits}};
+            .first_bit = bits_, .bits = mapped.bits, .subindex = mapped.subindex, .index = mapped.index};
         bits_ += mapped.bits;
         return true;
     }
@@ -100,7 +102,7 @@ template <std::size_t Capacity = 64> class pdo_layout {
     [[nodiscard]] constexpr pdo_place find(std::uint16_t index, std::uint8_t subindex) const noexcept {
         if (index == 0) return {}; // padding
         for (std::size_t i = 0; i != count_; ++i)
-            if (entries_[i].index == index && entries_[i].subindex == subindex) return entries_[i].place;
+            if (entries_[i].index == index && entries_[i].subindex == subindex) return entries_[i];
         return {};
     }
     [[nodiscard]] constexpr pdo_place find(const object& object, std::size_t axis = 0) const noexcept {
@@ -108,12 +110,7 @@ template <std::size_t Capacity = 64> class pdo_layout {
     }
 
   private:
-    struct entry {
-        std::uint16_t index{};
-        std::uint8_t subindex{};
-        pdo_place place{};
-    };
-    std::array<entry, Capacity> entries_{};
+    std::array<pdo_place, Capacity> entries_{};
     std::size_t count_{};
     std::uint32_t bits_{};
 };

@@ -106,15 +106,18 @@ struct configure {
     std::uint16_t station{};
     /// If it has outputs, the slave will leave OP when it gets none for this time.
     std::chrono::nanoseconds watchdog = default_watchdog;
+    std::span<process_object> objects{}; ///< get their places in the process data
     using result_type = master_result<process_place>;
 };
 
 /// One of the slaves of configure_all: its station address, why it was not configured, and memory.
 struct configure_place : parallel_place<slave_setup> {
     std::uint16_t station{};
+    std::span<process_object> objects{}; ///< as in `configure`
 
     configure_place() noexcept = default;
-    explicit configure_place(std::uint16_t of) noexcept : station{of} {}
+    explicit configure_place(std::uint16_t of, std::span<process_object> looked_for = {}) noexcept
+        : station{of}, objects{looked_for} {}
 };
 
 /// Sets the process data of many slaves up at once, as `configure` does with one. Each place has the error of its

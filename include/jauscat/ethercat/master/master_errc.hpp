@@ -33,6 +33,7 @@ enum class master_errc : std::uint8_t {
     too_many_slaves,   ///< more slaves than the master has memory for
     no_fmmu,           ///< the slave has fewer FMMUs than it has process data; fmmus
     too_many_managers, ///< more than 14 SyncManagers carry process data
+    wrong_mapping,     ///< an object is not where the program has it; index, bits, first_bit, found_bits, found_at
     no_direction,      ///< nothing says whether a SyncManager's process data are outputs or inputs; sync_manager
     too_many_entries,  ///< more PDOs and entries than `max_process_objects`
     image_full,        ///< the slave's process data are larger than one frame carries; bytes
@@ -82,6 +83,8 @@ enum class master_errc : std::uint8_t {
     case master_errc::too_many_slaves: return "the master has no memory for another slave: give it more records";
     case master_errc::no_fmmu: return "the slave has too few FMMUs for its process data: it cannot be mapped";
     case master_errc::too_many_managers: return "the slave spreads its process data over more than 14 SyncManagers";
+    case master_errc::wrong_mapping:
+        return "the slave's process data do not have it where the program does: change the mapping or the program";
     case master_errc::no_direction:
         return "nothing says whether a SyncManager's process data are outputs or inputs: check the slave's SII";
     case master_errc::too_many_entries:
@@ -130,6 +133,10 @@ struct master_error {
     std::uint16_t command{};          ///< index of the init command
     std::uint16_t index{};            ///< the object; 0: the error is about none
     std::uint8_t subindex{};          ///< of it
+    std::uint8_t bits{};              ///< of the object, as the program has it
+    std::uint8_t found_bits{};        ///< in the process data; 0: they do not have it
+    std::uint16_t first_bit{};        ///< in the outputs or inputs, as the program has it
+    std::uint16_t found_at{};         ///< first bit there
     std::uint16_t fmmus{};            ///< FMMUs that the process data need
     std::uint8_t sync_manager{};      ///< number of the SyncManager
     std::uint16_t watchdog_divider{}; ///< that the slave has

@@ -32,9 +32,10 @@ class process_setup {
 
     process_setup() noexcept = default;
     /// `slave` is in PRE-OP. Its place begins at `image_end`, where that of all other slaves ends, and moves it. It
-    /// stays in place while this runs.
+    /// stays in place while this runs. `objects` get their places.
     JAUSCAT_FUNCTION process_setup(const slave_record& slave, std::uint32_t& image_end,
-                                   std::chrono::nanoseconds watchdog, std::uint32_t logical_base = 0) noexcept;
+                                   std::chrono::nanoseconds watchdog, std::uint32_t logical_base = 0,
+                                   std::span<process_object> objects = {}) noexcept;
 
     [[nodiscard]] const master_result<>& result() const noexcept { return result_; }
     /// Location of the process data, when done.
@@ -71,6 +72,8 @@ class process_setup {
     // Fails once the slave's application has the SII again.
     JAUSCAT_FUNCTION progress give_back(const master_error& why) noexcept;
     JAUSCAT_FUNCTION progress survey(bool sizes) noexcept;
+    // The SyncManagers whose PDOs the SII says, a bit each.
+    [[nodiscard]] JAUSCAT_FUNCTION std::uint32_t searched() noexcept;
     // With the object that is read.
     [[nodiscard]] JAUSCAT_FUNCTION master_error about_object(master_error error) noexcept;
 
@@ -87,6 +90,8 @@ class process_setup {
     [[nodiscard]] JAUSCAT_FUNCTION std::uint32_t number_of(std::size_t size) const noexcept;
 
     JAUSCAT_FUNCTION progress lay_out() noexcept;
+    // From the first bit of their SyncManager to that of all outputs or inputs.
+    JAUSCAT_FUNCTION void place_objects() noexcept;
 
     // All in one frame. A SyncManager can be changed only while it is off.
     JAUSCAT_FUNCTION void set_up(frame_builder& frame) const noexcept;
@@ -102,6 +107,7 @@ class process_setup {
     std::uint16_t watchdog_units_{};
     std::uint32_t logical_base_{};
     std::uint8_t fmmus_{};
+    std::span<process_object> objects_{};
     step step_{};
 
     sii_survey survey_{};
@@ -112,7 +118,7 @@ class process_setup {
 
     std::array<std::byte, 4> value_{}; // of an object
     std::uint32_t pdo_{}, pdos_left_{}, entry_{}, entries_left_{};
-    std::uint32_t objects_{}; // PDOs and entries so far, of all SyncManagers
+    std::uint32_t read_{}; // PDOs and entries so far, of all SyncManagers
     std::uint16_t mapping_{};
     master_error failure_{}; // after which the SII is to be given back
     master_result<> result_{};

@@ -4,6 +4,7 @@
 #include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
 #include <jauscat/ethercat/master/sii_read.hpp>
+#include <jauscat/schema/ethercat/pdo.hpp>
 #include <jauscat/schema/ethercat/sii.hpp>
 
 #include <array>
@@ -36,6 +37,33 @@ struct process_manager {
     [[nodiscard]] std::uint32_t bytes() const noexcept { return bits / 8 + (bits % 8 != 0 ? 1 : 0); }
 };
 
+/// An object that is looked for in a slave's process data, and its place there.
+struct process_object {
+    std::uint16_t index{};
+    std::uint8_t subindex{};
+    bool is_output{};
+    std::uint8_t bits{};       ///< 0: the process data do not have it
+    std::uint32_t first_bit{}; ///< in the slave's outputs or inputs
+    std::uint8_t manager{};    ///< number of the SyncManager that carries it
+
+    /// None is found.
+    static constexpr void forget(std::span<process_object> all) noexcept {
+        for (auto& each : all) each.bits = 0;
+    }
+    /// The entry begins at this bit of its SyncManager. Where several have an object, the first counts.
+    static constexpr void note(std::span<process_object> all, const pdo_mapping& entry, bool is_output,
+                               std::uint8_t manager, std::uint32_t first_bit) noexcept {
+        for (auto& each : all) {
+            if (each.bits != 0 || each.is_output != is_output || each.index != entry.index ||
+                each.subindex != entry.subindex)
+                continue;
+            each.bits = entry.bits;
+            each.first_bit = first_bit;
+            each.manager = manager;
+        }
+    }
+};
+
 /// Whether a SyncManager of the SII may carry process data. Where its use is not given, it becomes the direction that
 /// the control byte says: bits 0 and 1 are 0 (buffered), bits 2 and 3 are 1 where the master writes. It remains none
 /// where the control byte is 0. An entry of zeros is a place that is not used.
@@ -63,6 +91,9 @@ class sii_survey {
     sii_survey() noexcept = default;
     /// With `sizes` the PDOs are read, too: a datagram pair for each entry, so only where nothing else tells the sizes.
     explicit sii_survey(bool sizes) noexcept : sizes_{sizes} {}
+    /// The same; `objects` are looked for in the PDOs of these SyncManagers, a bit each, and get their places in them.
+    sii_survey(std::span<process_object> objects, std::uint32_t managers) noexcept
+        : sizes_{true}, wanted_{objects}, searched_{managers} {}
 
     [[nodiscard]] const master_result<>& result() const noexcept { return result_; }
     /// The SyncManagers that carry process data.
@@ -110,6 +141,8 @@ class sii_survey {
     JAUSCAT_FUNCTION progress finish() noexcept;
 
     bool sizes_{};
+    std::span<process_object> wanted_{};
+    std::uint32_t searched_{};
     step step_{};
     sii_read sii_{};
     std::array<std::byte, 8> buffer_{}; // the largest piece

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace jauscat::ethercat {
 
@@ -24,7 +25,7 @@ class slave_setup {
     slave_setup() noexcept = default;
     /// As process_setup.
     JAUSCAT_FUNCTION slave_setup(slave_record& slave, std::uint32_t& image_end, std::chrono::nanoseconds watchdog,
-                                 std::uint32_t logical_base) noexcept;
+                                 std::uint32_t logical_base, std::span<process_object> objects) noexcept;
 
     [[nodiscard]] const master_result<>& result() const noexcept { return setup_.result(); }
     [[nodiscard]] const process_place& place() const noexcept { return setup_.place(); }

@@ -176,7 +176,7 @@ JAUSCAT_FUNCTION master_error job_machine<jauscat::ethercat::configure>::begin(c
     const auto wrong = detail::begin_setup(ring.slaves, job.station, job.watchdog, slave);
     if (slave == nullptr) return wrong;
     image_end_ = ring.slaves.image_end(slave);
-    steps_ = slave_setup{*slave, image_end_, job.watchdog, config.logical_base};
+    steps_ = slave_setup{*slave, image_end_, job.watchdog, config.logical_base, job.objects};
     return wrong;
 }
 
@@ -194,7 +194,7 @@ JAUSCAT_FUNCTION master_error job_machine<jauscat::ethercat::configure_all>::beg
         slave_record* slave{};
         each.error = detail::begin_setup(ring.slaves, each.station, job.watchdog, slave);
         if (each.error == master_error{})
-            steps_.begin(each, slave_setup{*slave, image_end_, job.watchdog, config.logical_base});
+            steps_.begin(each, slave_setup{*slave, image_end_, job.watchdog, config.logical_base, each.objects});
     }
     return {};
 }

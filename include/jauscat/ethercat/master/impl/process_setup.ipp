@@ -5,13 +5,17 @@
 namespace jauscat::ethercat {
 
 JAUSCAT_FUNCTION process_setup::process_setup(const slave_record& slave, std::uint32_t& image_end,
-                                              std::chrono::nanoseconds watchdog, std::uint32_t logical_base) noexcept
+                                              std::chrono::nanoseconds watchdog, std::uint32_t logical_base,
+                                              std::span<process_object> objects) noexcept
     : station_{slave.station},
       coe_{slave.mailbox.coe && slave.mailbox.receive_size != 0},
       before_{slave.process_data},
       image_end_{&image_end},
       watchdog_units_{watchdog_units(watchdog)},
-      logical_base_{logical_base} {}
+      logical_base_{logical_base},
+      objects_{objects} {
+    process_object::forget(objects_);
+}
 
 JAUSCAT_FUNCTION std::chrono::nanoseconds process_setup::watchdog() const noexcept {
     return watchdog_time(default_watchdog_divider, watchdog_units_);
@@ -119,9 +123,17 @@ JAUSCAT_FUNCTION progress process_setup::give_back(const master_error& why) noex
 
 JAUSCAT_FUNCTION progress process_setup::survey(bool sizes) noexcept {
     by_coe_ = !sizes;
-    survey_ = sii_survey{sizes};
+    survey_ = sizes ? sii_survey{objects_, searched()} : sii_survey{false};
     survey_.begin();
     return go(step::survey);
+}
+
+// What objects have said counts.
+JAUSCAT_FUNCTION std::uint32_t process_setup::searched() noexcept {
+    std::uint32_t numbers = coe_ ? 0 : ~0U;
+    for (std::size_t i = 0; i != survey_.managers().size(); ++i)
+        if ((by_sii_ >> i & 1U) != 0) numbers |= 1U << survey_.managers()[i].number;
+    return numbers;
 }
 
 JAUSCAT_FUNCTION progress process_setup::next_manager() noexcept {
@@ -156,7 +168,11 @@ JAUSCAT_FUNCTION progress process_setup::next_pdo() noexcept {
 
 JAUSCAT_FUNCTION progress process_setup::mapped(std::uint32_t value) noexcept {
     if (entry_ != 0) {
-        managed().bits += value & 0xFF; // index, subindex and, in the low byte, bits
+        const pdo_mapping entry{.bits = static_cast<std::uint8_t>(value),
+                                .subindex = static_cast<std::uint8_t>(value >> 8),
+                                .index = static_cast<std::uint16_t>(value >> 16)};
+        process_object::note(objects_, entry, managed().is_output(), managed().number, managed().bits);
+        managed().bits += entry.bits;
     } else {
         entries_left_ = value;
         if (!takes_objects(value)) return give_back(about_object({.code = master_errc::too_many_entries}));
@@ -166,8 +182,8 @@ JAUSCAT_FUNCTION progress process_setup::mapped(std::uint32_t value) noexcept {
 }
 
 JAUSCAT_FUNCTION bool process_setup::takes_objects(std::uint32_t more) noexcept {
-    objects_ += more;
-    return objects_ <= max_process_objects;
+    read_ += more;
+    return read_ <= max_process_objects;
 }
 
 JAUSCAT_FUNCTION std::span<std::byte> process_setup::room(std::uint32_t subindex) noexcept {
@@ -202,7 +218,17 @@ JAUSCAT_FUNCTION progress process_setup::lay_out() noexcept {
     place_.output_size = static_cast<std::uint16_t>(outputs);
     place_.input_size = static_cast<std::uint16_t>(inputs);
     *image_end_ = std::max(*image_end_, place_.end());
+    place_objects();
     return fmmus_ == 0 && survey_.managers().empty() ? progress::done : go(step::set_up);
+}
+
+JAUSCAT_FUNCTION void process_setup::place_objects() noexcept {
+    for (auto& each : objects_) {
+        for (const auto& before : survey_.managers()) {
+            if (before.number == each.manager) break;
+            if (before.is_output() == each.is_output) each.first_bit += before.bytes() * 8;
+        }
+    }
 }
 
 JAUSCAT_FUNCTION void process_setup::set_up(frame_builder& frame) const noexcept {

@@ -108,7 +108,12 @@ JAUSCAT_FUNCTION progress sii_survey::pdo_entry_read() noexcept {
     sii_pdo_entry entry{};
     static_cast<void>(wire::decode_prefix(entry, buffer_));
     // The category of SyncManagers may come later: bits are kept by number.
-    if (carrier_ < bits_.size()) bits_[carrier_] += entry.bits;
+    if (carrier_ < bits_.size()) {
+        if ((searched_ >> carrier_ & 1U) != 0)
+            process_object::note(wanted_, {entry.bits, entry.subindex, entry.index}, is_output_, carrier_,
+                                 bits_[carrier_]);
+        bits_[carrier_] += entry.bits;
+    }
     --entries_left_;
     return next_pdo_entry(word_ + entry_words);
 }

@@ -5,8 +5,9 @@
 namespace jauscat::ethercat {
 
 JAUSCAT_FUNCTION slave_setup::slave_setup(slave_record& slave, std::uint32_t& image_end,
-                                          std::chrono::nanoseconds watchdog, std::uint32_t logical_base) noexcept
-    : slave_{&slave}, setup_{slave, image_end, watchdog, logical_base} {
+                                          std::chrono::nanoseconds watchdog, std::uint32_t logical_base,
+                                          std::span<process_object> objects) noexcept
+    : slave_{&slave}, setup_{slave, image_end, watchdog, logical_base, objects} {
     slave.watchdog = {};
 }
 
