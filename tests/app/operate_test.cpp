@@ -315,3 +315,91 @@ TEST_CASE("an operation that cannot be is refused") {
     REQUIRE(b.until([&] { return error.has_value(); }));
     CHECK(*error == boost::asio::error::operation_aborted);
 }
+
+TEST_CASE("a function of each cycle knows whether inputs are current, and is called while no slave is in operation") {
+    const bool thread = GENERATE(false, true);
+    std::atomic<unsigned> cycles{}, current{}, old{};
+    std::atomic<duration::rep> oldest{};
+    std::atomic<bool> is_cut{};
+    bench b{thread};
+    const auto left = b.bus->slave({.name = "left"});
+    CHECK_FALSE(left.has_current_inputs());
+    CHECK(left.input_age() == duration::max());
+    b.ring.on_way_back([&](std::span<std::byte> frame) { // a frame that is not one is lost
+        if (is_cut) std::ranges::fill(frame, std::byte{});
+    });
+    b.bus->every_cycle([&, left] {
+        ++cycles;
+        if (!left.is_operating()) return;
+        ++(left.has_current_inputs() ? current : old);
+        oldest = std::max(oldest.load(), left.input_age().count());
+    });
+    CHECK(cycles == 0); // there is no period yet
+    REQUIRE_FALSE(b.operate(left));
+    REQUIRE(b.until([&] { return current > 2; }));
+    is_cut = true;
+    const unsigned before = old;
+    REQUIRE(b.until([&] { return old > before + 3; }));
+    CHECK(oldest > std::chrono::nanoseconds{10ms}.count());
+    REQUIRE(b.until([&] { return b.lost.size() == 1; })); // by the time-out
+    CHECK_FALSE(left.is_operating());
+    for (unsigned until = cycles + 5; cycles < until;) REQUIRE(b.until([&] { return cycles >= until; }));
+    const auto seen = b.bus->statistics();
+    CHECK(seen.lost > 3);
+    is_cut = false;
+    REQUIRE(b.until([&] { return b.found.size() == 1; }));
+    REQUIRE_FALSE(b.operate(left));
+    const unsigned known = current;
+    REQUIRE(b.until([&] { return current > known; }));
+    b.bus->stop();
+    const unsigned last = cycles;
+    b.context.restart();
+    b.context.run_for(20ms);
+    CHECK(cycles == last);
+}
+
+TEST_CASE("a bus counts its cycles and measures their times") {
+    bench b;
+    CHECK(b.bus->statistics().cycles == 0);
+    const auto left = b.bus->slave({.name = "left"});
+    REQUIRE_FALSE(b.operate(left));
+    REQUIRE_FALSE(b.operate(b.bus->slave({.name = "right"})));
+    REQUIRE(b.until([&] { return b.bus->statistics().working_counter == 6; }));
+    const auto seen = b.bus->statistics();
+    CHECK(seen.expected_working_counter == 6);
+    CHECK(seen.cycles > 1);
+    CHECK(seen.round_trip > duration{});
+    CHECK(seen.longest_round_trip >= seen.round_trip);
+    CHECK(seen.longest_late >= seen.late);
+    CHECK(seen.late >= duration{});
+    CHECK(seen.foreign_frames == 0);
+    // A slave that takes no part.
+    b.ring.with(1, [](auto& each) { each.slave.power_on(); });
+    REQUIRE(b.until([&] { return b.bus->statistics().incomplete > seen.incomplete; }));
+    b.bus->stop();
+    CHECK(b.bus->statistics().cycles == 0);
+}
+
+TEST_CASE("a bus does not reset slaves in OP that are not its own, unless it takes them over") {
+    const bool has_names = GENERATE(false, true);
+    bench b;
+    REQUIRE_FALSE(b.operate(b.bus->slave({.name = "left"})));
+    bus_options options{.log = [](std::string_view) {}};
+    if (has_names) options.slaves = {{.name = "one", .position = 0, .product = 1}};
+    asio::io_context context;
+    const auto outcome = [&](jauscat::bus& of) {
+        std::optional<error_code> error;
+        of.async_start([&](error_code why) { error = why; });
+        REQUIRE(support::until(context, [&] { return error.has_value(); }));
+        return *error;
+    };
+    jauscat::bus careful{context, b.ring.where(), options};
+    CHECK(outcome(careful) == bus_errc::in_use);
+    CHECK(b.state(0) == ethercat::al_state::op);
+    CHECK(careful.slaves().empty());
+    options.takes_over = true;
+    jauscat::bus bold{context, b.ring.where(), options};
+    CHECK_FALSE(outcome(bold));
+    CHECK(b.state(0) == ethercat::al_state::pre_op);
+    CHECK_FALSE(outcome(careful)); // none is in OP any more
+}

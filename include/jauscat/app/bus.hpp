@@ -53,8 +53,9 @@ class bus {
     /// Finds all slaves, clears them of what an earlier master has left, brings each to PRE-OP and reads its identity,
     /// alias and name. Slaves of a bridge that works already are left as they are. At a second time all is found again.
     /// If some slaves cannot be brought up, the first one's error is the operation's, each is logged, and the others
-    /// can be used. Errors: no_reply, not_sent, no_slaves, too_many_slaves, not_configurable, state_not_reached,
-    /// slave_lost, AL status codes. `void(error_code)`.
+    /// can be used. While a slave is in OP that is none of this bus, nothing is changed, unless the options say
+    /// `takes_over`. Errors: in_use, no_reply, not_sent, no_slaves, too_many_slaves, not_configurable,
+    /// state_not_reached, slave_lost, AL status codes. `void(error_code)`.
     template <class Token = default_token> auto async_start(Token&& token = Token{}) {
         return boost::asio::async_initiate<Token, void(app::error_code)>(
             [](auto handler, bus* self) {
@@ -68,15 +69,20 @@ class bus {
     /// The slaves, in the order of their positions; empty until `async_start`.
     [[nodiscard]] JAUSCAT_DECL std::vector<slave_info> slaves() const;
 
+    /// Of the process data.
+    [[nodiscard]] JAUSCAT_DECL bus_statistics statistics() const;
+
     /// Aborts all operations that are not done.
     JAUSCAT_DECL void cancel();
     /// As at its end: nothing is sent until an operation is started.
     JAUSCAT_DECL void stop();
 
     /// Called in each cycle, when the process data of slaves in operation have returned or are lost: reads inputs and
-    /// writes outputs (`slave::inputs`, `slave::outputs`). In the thread of the bus if it has one, which it must not
-    /// delay; else by the io_context. It must not end the bus, and is not called any more once the bus stops or ends:
-    /// what it refers to must live until then. If it throws, all slaves in operation are brought to rest.
+    /// writes outputs (`slave::inputs`, `slave::outputs`). From the first `async_operate` on it is called with its
+    /// period until the bus stops, also while no slave is in operation. In the thread of the bus if it has one, which
+    /// it must not delay; else by the io_context. It must not end the bus, and is not called any more once the bus
+    /// stops or ends: what it refers to must live until then. If it throws, all slaves in operation are brought to
+    /// rest.
     JAUSCAT_DECL void every_cycle(std::function<void()> f);
     /// Called when a slave is lost: it does not answer, or has ended its operation.
     JAUSCAT_DECL void when_lost(std::function<void(const slave_info& slave, boost::system::error_code why)> f);

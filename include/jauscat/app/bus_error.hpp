@@ -23,6 +23,7 @@ enum class bus_errc : std::uint8_t {
     no_reply,        ///< no frame returns: cable, interface, power
     not_sent,        ///< the interface takes no frames
     no_slaves,       ///< frames return, but no slave has taken part
+    in_use,          ///< a slave is in OP, which another master may control
     no_such_slave,   ///< no slave is as required
     ambiguous,       ///< several slaves are as required
     too_many_slaves, ///< the bus has more than 256
@@ -57,6 +58,8 @@ enum class bus_errc : std::uint8_t {
     case bus_errc::no_reply: return "no frame returns: check cable, interface and that a slave is running";
     case bus_errc::not_sent: return "the link takes no frames: check that the interface is up";
     case bus_errc::no_slaves: return "no slave takes part: check cable and power";
+    case bus_errc::in_use:
+        return "a slave is in OP: another master seems to control it; stop that one, or start with takes_over";
     case bus_errc::no_such_slave: return "no slave is as required: check position, alias, name and identity";
     case bus_errc::ambiguous: return "several slaves are as required: name one by its position or its alias";
     case bus_errc::too_many_slaves: return "a bus has at most 256 slaves";

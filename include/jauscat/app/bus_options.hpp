@@ -48,6 +48,8 @@ struct bus_options {
     unsigned frame_retries{9};                             ///< of one frame
     /// The link may deliver frames twice, as an IP network may. Makes transfers slow.
     bool frames_may_be_copied{};
+    /// `async_start` resets slaves also where one is in OP, which another master may control.
+    bool takes_over{};
     /// Before an object is written, 0 is written to subindex 0: for slaves that abort with 06010003h otherwise.
     bool clear_subindex_0{};
     /// The bus works in a thread of its own, so that handlers of the program do not delay it. They still run where the
@@ -77,6 +79,20 @@ struct operate_options {
     /// bus_options::slaves. It reaches OP once its clock and the cycles follow the reference clock, which takes some
     /// seconds. The error is `not_synchronized` if they do not.
     std::optional<ethercat::sync_settings> sync{};
+};
+
+/// Of the cycles since the bus was started.
+struct bus_statistics {
+    std::uint64_t cycles{};          ///< begun
+    std::uint64_t incomplete{};      ///< all frames have returned, and not every slave has taken part
+    std::uint64_t lost{};            ///< a frame at least did not return before the next cycle
+    std::uint16_t working_counter{}; ///< sum over the frames of the last cycle that has returned
+    std::uint16_t expected_working_counter{};
+    duration round_trip{}; ///< of the last cycle that has returned, from its beginning to its last frame
+    duration longest_round_trip{};
+    duration late{}; ///< the beginning of the last cycle, after it was due
+    duration longest_late{};
+    std::uint64_t foreign_frames{}; ///< of another master
 };
 
 /// Identity of a slave, object 1018h; what is not given is not compared.

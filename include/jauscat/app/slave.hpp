@@ -150,6 +150,10 @@ class slave {
     /// For use until the return from the callback or handler; with a thread of the bus in `bus::every_cycle` only.
     [[nodiscard]] JAUSCAT_DECL std::span<std::byte> outputs() const;
     [[nodiscard]] JAUSCAT_DECL std::span<const std::byte> inputs() const;
+    /// Whether the last cycle has brought the inputs. If not, they are those of an earlier one.
+    [[nodiscard]] JAUSCAT_DECL bool has_current_inputs() const;
+    /// Since the frame with the inputs was sent; the highest value where there are none.
+    [[nodiscard]] JAUSCAT_DECL duration input_age() const;
 
     /// What the bus knows of the slave, which it has found. Errors: not_started, no_such_slave, ambiguous.
     [[nodiscard]] JAUSCAT_DECL slave_info info(boost::system::error_code& error) const;

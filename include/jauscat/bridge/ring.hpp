@@ -33,6 +33,14 @@ struct shared_jobs {
     jaus::hook<void()> cycle{};
 };
 
+/// Times of the cycles. Each longest one is since the ring began.
+struct cycle_times {
+    duration round_trip{}; ///< from the beginning of the last complete cycle to the return of its last frame
+    duration longest_round_trip{};
+    duration late{}; ///< the beginning of the last cycle, after it was due
+    duration longest_late{};
+};
+
 /// Other work on the same link goes by the same master, in turn with the slaves' jobs: see `share`.
 ///
 /// Call `on_time` at `next_event()` and after the components have received messages, and `on_frame` for each received
@@ -82,6 +90,15 @@ class ring {
     /// Shuts all components down, see component::shut_down. Keep driving the ring until `at_rest`.
     JAUSCAT_FUNCTION void shut_down(time_point now, jaus::message_sink out);
 
+    /// While it `is_on`, `shared_jobs::cycle` is called each period also where no slave takes part.
+    void keep_cycling(bool is_on, time_point now) noexcept {
+        if (!cycles()) next_cycle_ = now;
+        keeps_cycling_ = is_on;
+    }
+    /// When the last cycle has begun. Inputs that are older have not come with it.
+    [[nodiscard]] std::optional<time_point> cycle_begun() const noexcept { return cycle_begun_; }
+    [[nodiscard]] const cycle_times& times() const noexcept { return times_; }
+
     /// Whether what goes on now only keeps slaves from stopping: nothing that a log needs.
     [[nodiscard]] JAUSCAT_FUNCTION bool keeps_alive() const noexcept;
     [[nodiscard]] const ethercat::master& master() const noexcept { return master_; }
@@ -126,8 +143,8 @@ class ring {
     [[nodiscard]] std::span<const place> places() const noexcept { return memory_.first(place_count_); }
     // Nullptr: the slave is none of this ring.
     [[nodiscard]] JAUSCAT_FUNCTION place* place_of(std::uint16_t station) const noexcept;
-    [[nodiscard]] bool cycles() const noexcept { return exchanged_ != 0 || clocks_.runs(); }
-    [[nodiscard]] bool is_periodic() const noexcept { return has_process_data_ || clocks_.runs(); }
+    [[nodiscard]] bool cycles() const noexcept { return exchanged_ != 0 || clocks_.runs() || keeps_cycling_; }
+    [[nodiscard]] bool is_periodic() const noexcept { return has_process_data_ || clocks_.runs() || keeps_cycling_; }
     [[nodiscard]] JAUSCAT_FUNCTION duration interval() const noexcept;
     [[nodiscard]] duration reserve() const noexcept { return is_periodic() ? options_.period / 4 : duration{}; }
 
@@ -373,7 +390,8 @@ class ring {
     duration told_period_{};                  // to the parts
     std::optional<time_point> cycle_begun_{}; // the last one; none where its slaves were others
     bool is_cycle_ended_{};                   // ... and what it has found counts
-    duration late_{};                         // after it was due
+    cycle_times times_{};
+    bool keeps_cycling_{};
     ring_clocks clocks_;
     ethercat::clock_agreement agreement_{};
     std::array<std::byte, wire::max_size<ethercat::dc_difference>> difference_{}; // of the clock that is looked at

@@ -23,9 +23,11 @@ JAUSCAT_DECL slave bus::slave(const slave_choice& which) const {
 JAUSCAT_DECL std::vector<slave_info> bus::slaves() const { return state_->infos(); }
 JAUSCAT_DECL void bus::cancel() { state_->cancel(); }
 JAUSCAT_DECL void bus::stop() { state_->stop(); }
+JAUSCAT_DECL bus_statistics bus::statistics() const { return state_->statistics(); }
 JAUSCAT_DECL void bus::every_cycle(std::function<void()> f) {
     const auto locked = state_->lock();
     state_->on_cycle = std::move(f);
+    state_->keep_cycling();
 }
 JAUSCAT_DECL void bus::when_lost(std::function<void(const slave_info&, boost::system::error_code)> f) {
     const auto locked = state_->lock();

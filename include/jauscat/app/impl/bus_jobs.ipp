@@ -15,6 +15,33 @@ namespace jauscat {
 inline namespace JAUSCAT_WAY {
 namespace app {
 
+/// Looks whether a slave is in OP, before the slaves are reset.
+class occupancy_look {
+  public:
+    /// False: there is nothing to look at any more.
+    [[nodiscard]] bool begin(const bus_state& bus, ethercat::master& master) {
+        if (is_done_ || bus.options().takes_over || bus.was_started()) return false;
+        return master
+            .start(ethercat::exchange_datagram{ethercat::command::brd, 0, ethercat::esc_registers::al_status.address,
+                                               states_})
+            .has_value();
+    }
+    /// Whether this was its job.
+    [[nodiscard]] bool ends(const bus_state& bus, const ethercat::master& master) {
+        if (is_done_ || bus.options().takes_over || bus.was_started()) return false;
+        is_done_ = true;
+        const auto seen = master.result<ethercat::exchange_datagram>().value_or(0);
+        constexpr auto op = static_cast<unsigned>(ethercat::al_state::op); // a bit; the states of all are or-ed
+        is_occupied_ = seen != 0 && (std::to_integer<unsigned>(states_[0]) & op) != 0;
+        return true;
+    }
+    [[nodiscard]] bool is_occupied() const noexcept { return is_occupied_; }
+
+  private:
+    std::array<std::byte, wire::max_size<ethercat::al_status>> states_{};
+    bool is_done_{}, is_occupied_{};
+};
+
 /// Slaves that are to be brought up at once.
 class bring_ups {
   public:
@@ -128,6 +155,7 @@ class start_job final : public bus_job {
                 .start(ethercat::exchange_datagram{ethercat::command::brd, 0, ethercat::esc_registers::type.address,
                                                    type_})
                 .has_value();
+        if (!is_counted_ && look_.begin(bus, master)) return true;
         if (!is_counted_) return master.start(ethercat::scan{}).has_value();
         if (!is_brought_up_ && new_.empty())
             for (std::uint16_t i = 0; i != count_; ++i)
@@ -159,6 +187,10 @@ class start_job final : public bus_job {
     void end(bus_state& bus, ethercat::master& master) override {
         if (is_brought_up_) return one_.end(bus, master);
         if (const auto error = error_of(master.error())) return fail(error);
+        if (!is_counted_ && !is_serving_ && look_.ends(bus, master)) {
+            if (look_.is_occupied()) fail(bus_errc::in_use);
+            return;
+        }
         if (is_counted_) {
             is_brought_up_ = true;
             return;
@@ -190,6 +222,7 @@ class start_job final : public bus_job {
     }
 
     operation_ptr<> done_;
+    occupancy_look look_{};
     bool is_serving_{}, is_counted_{}, is_brought_up_{};
     std::array<std::byte, 1> type_{};
     std::uint16_t count_{};
@@ -212,6 +245,7 @@ class find_job final : public bus_job {
                 step_ = step::locate;
                 if (what_ == find_scope::changes || (bus.is_serving() && bus.ring().is_cleared())) break;
                 step_ = step::clear; // a scan would reset slaves that work
+                if (what_ == find_scope::all && look_.begin(bus, master)) return true;
                 return master.start(ethercat::scan{}).has_value();
             case step::locate: return master.start(ethercat::locate_slaves{unknown_}).has_value();
             case step::bring_up:
@@ -268,6 +302,10 @@ class find_job final : public bus_job {
         switch (step_) {
         case step::clear:
             if (error) return fail(error);
+            if (what_ == find_scope::all && look_.ends(bus, master)) {
+                if (look_.is_occupied()) fail(bus_errc::in_use);
+                return;
+            }
             bus.forget_found();
             step_ = step::locate;
             return;
@@ -330,6 +368,7 @@ class find_job final : public bus_job {
         bus.note_prepared(*slave, what_ != find_scope::changes);
     }
 
+    occupancy_look look_{};
     find_scope what_;
     operation_ptr<> done_;
     step step_{};

@@ -198,6 +198,10 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     void operate(const slave_choice& which, const operate_options& options, operation_ptr<> done);
     /// Process data of a slave in operation.
     [[nodiscard]] std::optional<bridging::slave_data> data_of(const slave_choice& which);
+    [[nodiscard]] bus_statistics statistics() const;
+    [[nodiscard]] std::optional<time_point> cycle_begun() const;
+    /// Where a function of the application counts on it.
+    void keep_cycling() noexcept;
     void cancel();
     void stop() noexcept;
     /// The handle has gone: nothing is started any more.
@@ -267,7 +271,9 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     [[nodiscard]] bus_slave* at_position(std::uint16_t position);
     [[nodiscard]] named_slaves& names() noexcept { return named_; }
     [[nodiscard]] bool is_started() const noexcept { return is_started_; }
-    void set_started() noexcept { is_started_ = true; }
+    void set_started() noexcept { is_started_ = was_started_ = true; }
+    /// Slaves in OP may be those that it has left there.
+    [[nodiscard]] bool was_started() const noexcept { return was_started_; }
 
     // For those that find named slaves.
     /// All that are not served.
@@ -359,9 +365,10 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     time_point next_find_{}; ///< of named slaves that have come, gone or moved
     std::string problem_{};  ///< of the link, as it was logged
     ethercat::clock_agreement clocks_{};
-    bool looked_last_{}; ///< the last job was a look at a slave
+    duration operate_period_{}; ///< of the last async_operate; 0: there was none
+    bool looked_last_{};        ///< the last job was a look at a slave
     bool has_seen_master_{}, has_seen_gap_{};
-    bool is_started_{};
+    bool is_started_{}, was_started_{};
     bool is_closed_{};
 };
 

@@ -378,6 +378,7 @@ JAUSCAT_DECL void bus_state::stop() noexcept {
     timer_.reset();
     ring_.reset();
     slaves_.clear();
+    operate_period_ = {};
 }
 JAUSCAT_DECL void bus_state::close() noexcept {
     {

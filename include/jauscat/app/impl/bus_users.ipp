@@ -42,6 +42,7 @@ JAUSCAT_DECL void bus_state::apply_timings() noexcept {
         shorten(all.master.state_timeout, each->master.state_timeout);
         shorten(all.master.mailbox_timeout, each->master.mailbox_timeout);
     }
+    if (all.period == duration{}) all.period = operate_period_;
     timing_ = all;
     if (ring_) ring_->apply_options();
 }
@@ -278,6 +279,12 @@ struct bus_state::taking_over final : operation<> {
 
 JAUSCAT_DECL void bus_state::operate(const slave_choice& which, const operate_options& options, operation_ptr<> done) {
     static_cast<void>(timing_of(options)); // refuses what is out of range
+    {
+        const auto locked = lock();
+        operate_period_ = options.period;
+        apply_timings();
+        keep_cycling();
+    }
     add(make_change_job(which, ethercat::al_state::pre_op,
                         std::make_shared<taking_over>(*this, which, options, std::move(done))),
         options_.timeout);
@@ -299,8 +306,34 @@ JAUSCAT_DECL std::optional<bridging::slave_data> bus_state::data_of(const slave_
     const auto found = std::ranges::find(operated_, slave->info.station, &operated_slave::station);
     return found == operated_.end() ? std::nullopt : (*found)->data();
 }
+JAUSCAT_DECL std::optional<time_point> bus_state::cycle_begun() const {
+    const auto locked = lock();
+    return ring_ ? ring_->cycle_begun() : std::nullopt;
+}
+JAUSCAT_DECL bus_statistics bus_state::statistics() const {
+    const auto locked = lock();
+    if (!ring_) return {};
+    const auto& data = ring_->process_data();
+    const auto& counts = data.statistics();
+    const auto& times = ring_->times();
+    return {.cycles = counts.sent,
+            .incomplete = counts.incomplete,
+            .lost = counts.lost,
+            .working_counter = data.working_counter(),
+            .expected_working_counter = data.expected_working_counter(),
+            .round_trip = times.round_trip,
+            .longest_round_trip = times.longest_round_trip,
+            .late = times.late,
+            .longest_late = times.longest_late,
+            .foreign_frames = ring_->statistics().foreign};
+}
+JAUSCAT_DECL void bus_state::keep_cycling() noexcept {
+    if (!ring_) return;
+    ring_->keep_cycling(on_cycle && operate_period_ != duration{}, net::now());
+    wake();
+}
 JAUSCAT_DECL void bus_state::run_cycle() {
-    if (!on_cycle || operated_.empty()) return;
+    if (!on_cycle || operate_period_ == duration{}) return;
     try {
         on_cycle();
         return;

@@ -53,6 +53,15 @@ JAUSCAT_DECL std::span<const std::byte> slave::inputs() const {
     const auto data = bus_->data_of(which_);
     return data ? data->inputs : std::span<const std::byte>{};
 }
+JAUSCAT_DECL bool slave::has_current_inputs() const {
+    const auto data = bus_->data_of(which_);
+    const auto begun = bus_->cycle_begun();
+    return data && begun && data->status.last_inputs && *data->status.last_inputs >= *begun;
+}
+JAUSCAT_DECL duration slave::input_age() const {
+    const auto data = bus_->data_of(which_);
+    return data && data->status.last_inputs ? net::now() - *data->status.last_inputs : duration::max();
+}
 JAUSCAT_DECL void slave::operate(const operate_options& options, app::operation_ptr<> done) const {
     bus_->operate(which_, options, std::move(done));
 }

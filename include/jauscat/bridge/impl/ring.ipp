@@ -66,13 +66,20 @@ JAUSCAT_FUNCTION bool ring::cancel_shared() noexcept {
 JAUSCAT_FUNCTION bool ring::on_frame(bytes frame, time_point now, jaus::message_sink out) {
     const bool waited = data_.waits();
     const bool was_taken = clocks_.on_frame(frame) || data_.on_frame(frame) || take(frame, now);
-    is_step_due_ = is_step_due_ || (waited && !data_.waits());
+    if (waited && !data_.waits()) {
+        is_step_due_ = true;
+        if (cycle_begun_) times_.round_trip = now - *cycle_begun_;
+        times_.longest_round_trip = std::max(times_.longest_round_trip, times_.round_trip);
+    }
     turn(now, out);
     return was_taken;
 }
 
 JAUSCAT_FUNCTION void ring::on_time(time_point now, jaus::message_sink out) {
-    if (is_cycle_due(now)) end_cycle(now);
+    if (is_cycle_due(now)) {
+        end_cycle(now);
+        is_step_due_ = is_step_due_ || exchanged_ == 0;
+    }
     turn(now, out);
 }
 
@@ -81,14 +88,15 @@ JAUSCAT_FUNCTION std::size_t ring::next_frame(std::span<std::byte> frame, time_p
         end_cycle(now);
         is_cycle_ended_ = false;
         cycle_begun_ = now;
-        late_ = now - next_cycle_;
+        times_.late = now - next_cycle_;
+        times_.longest_late = std::max(times_.longest_late, times_.late);
         skip_to_next_cycle(now);
         clocks_.begin_cycle();
         is_step_due_ = is_step_due_ || data_.waits(); // a frame of the last cycle is lost
         data_.begin_cycle();
     }
     sender_ = nullptr;
-    if (const auto size = clocks_.next_frame(frame, now, late_)) return size;
+    if (const auto size = clocks_.next_frame(frame, now, times_.late)) return size;
     if (const auto size = data_.next_frame(frame, now)) return size;
     if (cycles() && next_cycle_ - now <= reserve()) return 0; // the process data must not wait behind it
     const auto send = [&](ethercat::master& from) {

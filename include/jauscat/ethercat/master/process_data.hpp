@@ -102,6 +102,8 @@ class process_data {
     [[nodiscard]] bool is_complete() const noexcept { return is_complete_; }
     /// Sum of the working counters of all process data in the last cycle whose frames have all returned.
     [[nodiscard]] std::uint16_t working_counter() const noexcept { return working_counter_; }
+    /// That sum where every slave takes part.
+    [[nodiscard]] JAUSCAT_FUNCTION std::uint16_t expected_working_counter() const noexcept;
     [[nodiscard]] const process_statistics& statistics() const noexcept { return statistics_; }
 
   private:

@@ -222,6 +222,18 @@ JAUSCAT_FUNCTION bool process_data::is_complete(const process_part& part, frame_
     return is_written && counter == (counters.no_lrw ? counters.read : counters.read_write);
 }
 
+JAUSCAT_FUNCTION std::uint16_t process_data::expected_working_counter() const noexcept {
+    std::uint16_t sum = 0;
+    for (std::size_t i = 0; i != plan_.frame_count(); ++i) {
+        const auto& frame = plan_.frame(i);
+        for (std::size_t k = 0; k != frame.parts; ++k) {
+            const auto& counters = plan_.part(frame.first_part + k).counters;
+            sum = static_cast<std::uint16_t>(sum + (counters.no_lrw ? counters.read : counters.read_write));
+        }
+    }
+    return sum;
+}
+
 JAUSCAT_FUNCTION void process_data::take_inputs(const process_place& place, std::span<const std::byte> back) noexcept {
     std::ranges::copy(back.subspan(place.input_address - place.output_address, place.input_size),
                       piece(place.input_address, place.input_size).begin());
