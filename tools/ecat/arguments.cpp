@@ -159,8 +159,8 @@ constexpr std::string_view head = R"(jauscat-ecat: looks at the slaves of an Eth
 
 )";
 constexpr std::string_view tail = R"(
-It notices another master on the bus and refuses to work then, unless --force is given. Without --force nothing is written
-while a slave has a station address of another master. Numbers are decimal, or hexadecimal with 0x.
+It notices another master on the bus and refuses to work then, unless --force is given. Numbers are decimal, or
+hexadecimal with 0x.
 
 Examples:
   jauscat-ecat scan --link eth0                              all slaves on eth0

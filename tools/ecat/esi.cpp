@@ -166,7 +166,7 @@ int esi(const arguments& given) {
     if (!read) throw failure{read.error().message};
     const auto& file = *read;
     ring on{given.link};
-    on.guard(intent::change);
+    on.guard();
     const auto position = chosen_slave(given, on);
     comparison all;
     sii_content sii;

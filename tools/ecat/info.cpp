@@ -123,7 +123,7 @@ record describe(ring& on, std::uint16_t position) {
 
 int info(const arguments& given) {
     ring on{given.link};
-    on.guard(intent::look);
+    on.guard();
     list all;
     for (const auto position : chosen_slaves(given, on)) all.emplace_back(describe(on, position));
     if (given.is_json) {

@@ -68,7 +68,7 @@ list histogram_of(const measurement& all) {
 
 int monitor(const arguments& given) {
     ring on{given.link};
-    on.guard(intent::look);
+    on.guard();
     const auto slaves = on.slaves();
     std::vector<slave_ports> ports;
     for (std::uint16_t i = 0; i != slaves; ++i) {

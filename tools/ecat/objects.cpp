@@ -58,7 +58,7 @@ int read(const arguments& given) {
     for (const auto& each : given.words) ranges.push_back(parse_range(each));
     if (!given.type.empty()) static_cast<void>(type_named(given.type));
     ring on{given.link};
-    on.guard(intent::change);
+    on.guard();
     const auto position = chosen_slave(given, on);
     std::vector<record> rows;
     bool is_complete = true;
@@ -98,7 +98,7 @@ int write(const arguments& given) {
     // What is wrong with the value of a given type is wrong without a bus, too.
     if (!given.type.empty()) static_cast<void>(to_bytes(type_named(given.type), text));
     ring on{given.link};
-    on.guard(intent::change);
+    on.guard();
     const auto position = chosen_slave(given, on);
     coe_mailbox mailbox{on, position};
     const auto about = mailbox.try_describe(place.index, place.first);
@@ -174,7 +174,7 @@ std::pair<std::uint64_t, std::uint64_t> index_range(const arguments& given) {
 int sdos(const arguments& given) {
     const auto [first, last] = index_range(given);
     ring on{given.link};
-    on.guard(intent::change);
+    on.guard();
     const auto position = chosen_slave(given, on);
     list objects;
     std::vector<record> rows;

@@ -20,7 +20,7 @@ value manager_value(std::uint8_t number) { return number == 255 ? value{number, 
 
 int pdos(const arguments& given) {
     ring on{given.link};
-    on.guard(intent::change);
+    on.guard();
     list slaves;
     std::vector<record> rows;
     progress_line progress;

@@ -261,7 +261,7 @@ bool ring::mailboxes_move() {
     return false;
 }
 
-void ring::guard(intent what) {
+void ring::guard() {
     listen();
     read_states();
     if (options_.force) return;
@@ -281,8 +281,7 @@ void ring::guard(intent what) {
                        " and has the station address " + std::to_string(found->station);
     if (mailboxes_move()) refuse(which + ", and its mailbox is in use: a master runs it");
     if (foreign != 0) refuse("another master uses the link: its frames were heard");
-    if (what == intent::change) refuse(which + ": a master has set it up, and may still use it");
-    note(which + ": a master has set it up; this command only reads");
+    note(which + ": a program has left it so, and none uses it now");
 }
 
 void sleep_until(jauscat::time_point due) {

@@ -72,18 +72,13 @@ struct slave_state {
 /// `0x001B: SyncManager watchdog`; empty without a code.
 [[nodiscard]] std::string al_code_text(const ethercat::al_status& al);
 
-enum class intent {
-    look,  ///< registers and the SII are read, nothing changes
-    change ///< the mailbox is used, or something is written
-};
-
 class ring {
   public:
     /// Opens the link; throws `failure`.
     explicit ring(const ring_options& options);
 
     /// Ends with `bus_in_use` if another master seems to run, unless forced. Reads the slaves' states.
-    void guard(intent what);
+    void guard();
     [[nodiscard]] std::uint16_t slaves() const noexcept { return static_cast<std::uint16_t>(states_.size()); }
     /// As the guard has found them.
     [[nodiscard]] const std::vector<slave_state>& states() const noexcept { return states_; }

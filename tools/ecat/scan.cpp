@@ -7,7 +7,7 @@ namespace ecat {
 
 int scan(const arguments& given) {
     ring on{given.link};
-    on.guard(intent::look);
+    on.guard();
     std::vector<record> rows;
     bool is_complete = true;
     {

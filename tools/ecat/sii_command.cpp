@@ -122,7 +122,7 @@ std::string hex_lines(const bytes& data) {
 
 int sii(const arguments& given) {
     ring on{given.link};
-    on.guard(intent::look);
+    on.guard();
     const auto position = chosen_slave(given, on);
     sii_content content;
     bytes image;

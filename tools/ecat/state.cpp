@@ -104,7 +104,7 @@ int state(const arguments& given) {
     const bool changes = !given.words.empty();
     const auto goal = changes ? parse_goal(given.words.front()) : al_state::init;
     ring on{given.link};
-    on.guard(changes ? intent::change : intent::look);
+    on.guard();
     const auto slaves = chosen_slaves(given, on);
     bool is_done = true;
     if (changes) {

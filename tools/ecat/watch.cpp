@@ -143,7 +143,7 @@ std::vector<record> look(ring& on, const std::vector<input_area>& areas, const w
 
 int watch(const arguments& given) {
     ring on{given.link};
-    on.guard(intent::change);
+    on.guard();
     std::vector<input_area> areas;
     watched_states states;
     bool is_any_active = false;
