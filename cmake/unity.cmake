@@ -54,7 +54,7 @@ function(jauscat_unity_sources target)
             if(special OR NOT source MATCHES "_test[.]cpp$")
                 set(stays_alone ON)
             endif()
-            set_property(DIRECTORY ${SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
+            set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source}) # of the project: subfolders are done
         endif()
         if(stays_alone)
             list(APPEND alone ${source})
