@@ -135,6 +135,7 @@ class ring {
         configure_all,
         safe_op_all,
         op_all,
+        place_all,
         shared
     };
     using purpose = message_lane::purpose;
@@ -269,7 +270,9 @@ class ring {
     JAUSCAT_FUNCTION void cleared(place& at, std::size_t slaves, time_point now);
     JAUSCAT_FUNCTION void brought_up(place& at, const ethercat::master_error& error, time_point now);
     JAUSCAT_FUNCTION void reach_pre_op(place& at);
-    JAUSCAT_FUNCTION void placed(place& at, ethercat::master_error error, time_point now, jaus::message_sink out);
+    [[nodiscard]] JAUSCAT_FUNCTION ethercat::master_error error_of_place(const place& at) const;
+    JAUSCAT_FUNCTION void placed(place& at, const ethercat::master_error& error, time_point now,
+                                 jaus::message_sink out);
     JAUSCAT_FUNCTION void set_up(place& at, const ethercat::master_error& error, phase next, time_point now,
                                  jaus::message_sink out);
     JAUSCAT_FUNCTION void ready(place& at, time_point now);
@@ -373,6 +376,7 @@ class ring {
     std::span<ethercat::bring_up_place> bring_ups_;
     std::span<ethercat::configure_place> configurations_;
     std::span<ethercat::state_place> state_changes_;
+    std::span<ethercat::position_place> positions_;
     std::size_t together_{}; // slaves of the master's current job, if it is one for many
     std::size_t place_count_{};
     std::size_t last_served_{};  // by the master

@@ -69,6 +69,7 @@ struct ring_memory {
     std::span<ethercat::bring_up_place> bring_ups{};
     std::span<ethercat::configure_place> configurations{};
     std::span<ethercat::state_place> state_changes{};
+    std::span<ethercat::position_place> positions{};
 };
 
 /// Memory for up to `Slaves` slaves and `Bytes` of process data, `Lanes` messages by mailbox at the same time, and
@@ -85,10 +86,11 @@ struct ring_memory_for {
     std::array<ethercat::bring_up_place, Slaves> bring_ups{};
     std::array<ethercat::configure_place, Slaves> configurations{};
     std::array<ethercat::state_place, Slaves> state_changes{};
+    std::array<ethercat::position_place, Slaves> positions{};
 
     [[nodiscard]] ring_memory spans() noexcept {
-        return {places, records,       exchanged, slots,          image,
-                lanes,  clock_records, bring_ups, configurations, state_changes};
+        return {places,        records,   exchanged,      slots,         image,    lanes,
+                clock_records, bring_ups, configurations, state_changes, positions};
     }
 };
 

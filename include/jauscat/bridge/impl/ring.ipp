@@ -14,6 +14,7 @@ JAUSCAT_FUNCTION ring::ring(const bridge_options& options, const ring_memory& me
       bring_ups_{memory.bring_ups},
       configurations_{memory.configurations},
       state_changes_{memory.state_changes},
+      positions_{memory.positions},
       clocks_{memory.clock_records} {}
 
 JAUSCAT_FUNCTION bool ring::add(slave_front& front) noexcept {
@@ -280,6 +281,11 @@ JAUSCAT_FUNCTION bool ring::begin_step(place& at, time_point now) {
 }
 
 JAUSCAT_FUNCTION bool ring::begin_place_check(place& at) {
+    if (const auto all = gather(
+            at, positions_, [](const place& each) { return each.at == phase::in_state; },
+            [](const place& each) { return ethercat::position_place{each.front->station()}; });
+        !all.empty())
+        return begin_job(at, work::place_all, ethercat::check_positions{all});
     const auto position = master_.find(at.front->station())->position;
     return begin_job(at, work::place,
                      ethercat::exchange_datagram{ethercat::command::aprd, static_cast<std::uint16_t>(-position),
@@ -573,7 +579,12 @@ JAUSCAT_FUNCTION void ring::complete(time_point now, jaus::message_sink out) {
     case work::sync: return sync_started(at, result, now, out);
     case work::safe_op: return set_up(at, result, phase::safe_op, now, out);
     case work::op: return set_up(at, result, phase::in_state, now, out);
-    case work::place: return placed(at, result, now, out);
+    case work::place: return placed(at, error_of_place(at), now, out);
+    case work::place_all:
+        return complete_all(
+            positions_, [](const auto& each) { return each.station; },
+            [](const place& each) { return each.at == phase::in_state; },
+            [&](place& each, const ethercat::master_error& error) { placed(each, error, now, out); }, now);
     case work::bring_up_all: return brought_up_all(now);
     case work::configure_all:
         return complete_all(
@@ -613,12 +624,17 @@ JAUSCAT_FUNCTION void ring::reach_pre_op(place& at) {
     if (at.at == phase::pre_op) at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), false);
 }
 
-JAUSCAT_FUNCTION void ring::placed(place& at, ethercat::master_error error, time_point now, jaus::message_sink out) {
+JAUSCAT_FUNCTION ethercat::master_error ring::error_of_place(const place& at) const {
     ethercat::esc_word station{};
-    if (error == ethercat::master_error{} &&
-        (*master_.result<ethercat::exchange_datagram>() != 1 || !wire::decode(station, place_value_) ||
-         station.value != at.front->station()))
-        error = {.code = ethercat::master_errc::wrong_station, .station = at.front->station()};
+    if (master_.error() != ethercat::master_error{}) return master_.error();
+    const bool is_there = *master_.result<ethercat::exchange_datagram>() == 1 && wire::decode(station, place_value_) &&
+                          station.value == at.front->station();
+    if (is_there) return {};
+    return {.code = ethercat::master_errc::wrong_station, .station = at.front->station()};
+}
+
+JAUSCAT_FUNCTION void ring::placed(place& at, const ethercat::master_error& error, time_point now,
+                                   jaus::message_sink out) {
     if (error != ethercat::master_error{}) {
         at.bring_up = error;
         return lose(at, loss::no_station, error, now, out);

@@ -247,6 +247,13 @@ template <> class job_machine<change_states> : public detail::parallel_machine<s
     JAUSCAT_FUNCTION progress reply(replies datagrams, time_point now, const master_config& config) noexcept;
 };
 
+template <> class job_machine<check_positions> : public detail::parallel_machine<position_place> {
+  public:
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const check_positions& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
+    JAUSCAT_FUNCTION progress reply(replies datagrams, time_point now, const master_config& config) noexcept;
+};
+
 template <> class job_machine<check> : public detail::plain_machine<slave_check> {
   public:
     [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const check& job, ring_knowledge& ring,
@@ -300,6 +307,13 @@ template <> class job_machine<upload> : public detail::mailbox_machine<sdo_trans
 
   private:
     std::span<std::byte> into_{};
+};
+
+template <> class job_machine<upload_all> : public detail::parallel_machine<upload_place> {
+  public:
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const upload_all& job, ring_knowledge& ring,
+                                                      const master_config& config) noexcept;
+    JAUSCAT_FUNCTION progress reply(replies datagrams, time_point now, const master_config& config) noexcept;
 };
 
 template <> class job_machine<list_objects> : public detail::mailbox_machine<sdo_information> {
@@ -377,10 +391,12 @@ template <> class job_machine<start_sync> : public detail::plain_machine<sync_se
 using any_job_machine =
     std::variant<std::monostate, job_machine<scan>, job_machine<bring_up>, job_machine<bring_up_all>,
                  job_machine<identify>, job_machine<identify_all>, job_machine<locate_slaves>, job_machine<configure>,
-                 job_machine<configure_all>, job_machine<change_state>, job_machine<change_states>, job_machine<check>,
-                 job_machine<download>, job_machine<run_init_commands>, job_machine<upload>, job_machine<list_objects>,
-                 job_machine<describe_object>, job_machine<describe_entry>, job_machine<collect_emergencies>,
-                 job_machine<exchange_datagram>, job_machine<set_up_clocks>, job_machine<start_sync>>;
+                 job_machine<configure_all>, job_machine<change_state>, job_machine<change_states>,
+                 job_machine<check_positions>, job_machine<check>, job_machine<download>,
+                 job_machine<run_init_commands>, job_machine<upload>, job_machine<upload_all>,
+                 job_machine<list_objects>, job_machine<describe_object>, job_machine<describe_entry>,
+                 job_machine<collect_emergencies>, job_machine<exchange_datagram>, job_machine<set_up_clocks>,
+                 job_machine<start_sync>>;
 
 } // namespace jauscat::ethercat
 

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <jauscat/ethercat/master/clock_jobs.hpp>
+#include <jauscat/ethercat/master/mailbox_session.hpp>
 #include <jauscat/ethercat/master/master_errc.hpp>
 #include <jauscat/ethercat/master/object_descriptions.hpp>
 #include <jauscat/ethercat/master/parallel_steps.hpp>
+#include <jauscat/ethercat/master/position_check.hpp>
 #include <jauscat/ethercat/master/sdo_options.hpp>
+#include <jauscat/ethercat/master/sdo_transfer.hpp>
 #include <jauscat/ethercat/master/slave_bring_up.hpp>
 #include <jauscat/ethercat/master/slave_identification.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
@@ -97,6 +100,21 @@ struct located_slaves {
 struct locate_slaves {
     std::span<std::uint16_t> into{};
     using result_type = master_result<located_slaves>;
+};
+
+/// One of the slaves of check_positions: its station address, whether it is not at its place, and memory.
+struct position_place : parallel_place<position_check> {
+    std::uint16_t station{};
+
+    position_place() noexcept = default;
+    explicit position_place(std::uint16_t of) noexcept : station{of} {}
+};
+
+/// Looks whether slaves are at their positions still: each place has the error `wrong_station` where its slave is not.
+/// Gives the number of those that are.
+struct check_positions {
+    std::span<position_place> places{};
+    using result_type = master_result<std::size_t>;
 };
 
 /// Finds out what process data a slave in PRE-OP has and sets its SyncManagers and FMMUs up. Gives its place in the
@@ -209,6 +227,23 @@ struct upload {
     std::span<std::byte> into{};
     upload_options options{};
     using result_type = master_result<std::span<std::byte>>;
+};
+
+/// One of the objects of upload_all, its value, why it was not read, and memory.
+struct upload_place : parallel_place<mailbox_session<sdo_transfer>> {
+    upload object{};
+    std::size_t size{}; ///< bytes at the front of `object.into`
+
+    upload_place() noexcept = default;
+    explicit upload_place(const upload& wanted) noexcept : object{wanted} {}
+};
+
+/// Reads objects of many slaves at once, one of each slave. Each place has the error of its slave, as of `upload`,
+/// which does not stop the others; `busy` where an earlier place has its slave. Gives the number of slaves without an
+/// error. Where frames may be copied, one slave is read after the other.
+struct upload_all {
+    std::span<upload_place> places{};
+    using result_type = master_result<std::size_t>;
 };
 
 /// Reads the indices of a slave's objects to `into`, 2 bytes each. Errors: those of `upload`, fragment_missing,

@@ -8,6 +8,7 @@
 #include <jauscat/ethercat/master/slave_record.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +29,12 @@ template <mailbox_protocol Protocol> class mailbox_session {
 
     /// Bytes that the protocol has received.
     [[nodiscard]] const master_result<std::size_t>& result() const noexcept { return result_; }
+
+    /// At most, of a request: bytes and datagrams.
+    [[nodiscard]] std::size_t request_size() const noexcept {
+        return datagram_overhead + std::max(slave_->mailbox.receive_size, slave_->mailbox.send_size);
+    }
+    [[nodiscard]] static constexpr std::size_t request_datagrams() noexcept { return 1; }
 
     void request(frame_builder& frame) noexcept {
         if (part_ == part::wait)

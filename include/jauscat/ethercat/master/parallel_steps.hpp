@@ -18,6 +18,8 @@ template <class Steps> class parallel_place {
   public:
     /// Why the work on this slave has failed; ok if it is done.
     master_error error{};
+    /// Whether the work on this slave is done, or has failed, or has not begun.
+    [[nodiscard]] bool has_ended() const noexcept { return at_ == phase::ended; }
 
   private:
     template <class Place> friend class parallel_steps;

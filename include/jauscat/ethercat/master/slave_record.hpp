@@ -69,6 +69,7 @@ struct slave_record {
 
     std::uint16_t position{}; ///< in the ring, from 0; no_position: `locate_slaves` has not found it
     std::uint16_t station{};  ///< configured station address
+    std::uint16_t alias{};    ///< configured station alias, register 0012h; 0: none
     sii_identity identity{};
     sii_mailbox mailbox{};        ///< sizes 0: the slave has none
     process_place process_data{}; ///< after `configure`

@@ -55,6 +55,7 @@ inline constexpr esc_register ports{0x0007, 1};    ///< 2 bits per port: 0 none,
 inline constexpr esc_register features{0x0008, 2}; ///< what it can do: see esc_description
 inline constexpr esc_register_of<esc_word> station_address{{0x0010, 2}}; ///< by which a master addresses it
 inline constexpr esc_register_of<esc_word> station_alias{{0x0012, 2}};   ///< a second one, out of the SII
+inline constexpr esc_register station_addresses{0x0010, 4};              ///< both of them
 inline constexpr esc_register dl_control{0x0100, 4}; ///< which ports are open, and whether the alias counts
 inline constexpr esc_register_of<ethercat::dl_status> dl_status{{0x0110, 2}};   ///< which ports have a link
 inline constexpr esc_register_of<ethercat::al_control> al_control{{0x0120, 2}}; ///< the state requested by a master

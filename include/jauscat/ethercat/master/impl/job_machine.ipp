@@ -244,6 +244,24 @@ JAUSCAT_FUNCTION progress job_machine<jauscat::ethercat::change_states>::reply(r
     return steps_.reply(datagrams, now, config, [](const state_place&, const state_change&) {});
 }
 
+JAUSCAT_FUNCTION master_error job_machine<jauscat::ethercat::check_positions>::begin(const check_positions& job,
+                                                                                     ring_knowledge& ring,
+                                                                                     const master_config&) noexcept {
+    places_ = job.places;
+    steps_ = steps{job.places};
+    for (auto& each : places_) {
+        slave_record* slave{};
+        each.error = detail::choose(ring.slaves, each.station, slave);
+        if (each.error == master_error{}) steps_.begin(each, position_check{slave->position, each.station});
+    }
+    return {};
+}
+
+JAUSCAT_FUNCTION progress job_machine<jauscat::ethercat::check_positions>::reply(replies datagrams, time_point now,
+                                                                                 const master_config& config) noexcept {
+    return steps_.reply(datagrams, now, config, [](const position_place&, const position_check&) {});
+}
+
 JAUSCAT_FUNCTION master_error job_machine<jauscat::ethercat::check>::begin(const check& job, ring_knowledge& ring,
                                                                            const master_config&) noexcept {
     if (const auto wrong = detail::choose(ring.slaves, job.station, slave_); wrong != master_error{}) return wrong;
@@ -315,6 +333,34 @@ JAUSCAT_FUNCTION master_error job_machine<jauscat::ethercat::upload>::begin(cons
                                                                             const master_config&) noexcept {
     into_ = job.into;
     return begin_protocol(ring, job.station, sdo_transfer::upload(job.index, job.subindex, job.into, job.options));
+}
+
+JAUSCAT_FUNCTION master_error job_machine<jauscat::ethercat::upload_all>::begin(const upload_all& job,
+                                                                                ring_knowledge& ring,
+                                                                                const master_config& config) noexcept {
+    places_ = job.places;
+    steps_ = steps{job.places, config.frames_may_be_copied};
+    for (std::size_t i = 0; i != places_.size(); ++i) {
+        auto& each = places_[i];
+        const auto& object = each.object;
+        slave_record* slave{};
+        each.size = 0;
+        each.error = detail::choose_mailbox(ring.slaves, object.station, slave);
+        const auto is_same = [&](const upload_place& other) { return other.object.station == object.station; };
+        if (std::ranges::any_of(places_.first(i), is_same)) each.error = {.code = master_errc::busy};
+        if (each.error != master_error{}) continue;
+        mailbox_session<sdo_transfer> session{};
+        session.begin(*slave, sdo_transfer::upload(object.index, object.subindex, object.into, object.options));
+        steps_.begin(each, session);
+    }
+    return {};
+}
+
+JAUSCAT_FUNCTION progress job_machine<jauscat::ethercat::upload_all>::reply(replies datagrams, time_point now,
+                                                                            const master_config& config) noexcept {
+    return steps_.reply(datagrams, now, config, [](upload_place& each, const mailbox_session<sdo_transfer>& session) {
+        each.size = std::min(each.object.into.size(), session.result().value_or(0));
+    });
 }
 
 JAUSCAT_FUNCTION master_error job_machine<jauscat::ethercat::list_objects>::begin(const list_objects& job,

@@ -21,7 +21,10 @@ JAUSCAT_FUNCTION void slave_bring_up::request(frame_builder& frame) noexcept {
         frame.write(station, esc_registers::station_address, {});
         assign(frame);
         break;
-    case step::verify: frame.read(station, esc_registers::station_address); break;
+    case step::verify:
+        frame.add(command::fprd, station, esc_registers::station_addresses.address,
+                  std::size_t{esc_registers::station_addresses.size});
+        break;
     case step::take_sii: ethercat::take_sii(frame, station); break;
     case step::read_identity:
     case step::read_mailbox: sii_.request(frame, station); break;
@@ -95,7 +98,10 @@ JAUSCAT_FUNCTION progress slave_bring_up::give_back(const master_error& why) noe
 }
 
 JAUSCAT_FUNCTION progress slave_bring_up::verified(const datagram_view& datagram) noexcept {
-    const auto address = datagram.value(esc_registers::station_address);
+    esc_word address{}, alias{};
+    static_cast<void>(wire::decode_prefix(address, datagram.data));
+    static_cast<void>(wire::decode_prefix(alias, datagram.data.subspan(wire::max_size<esc_word>)));
+    slave_.alias = alias.value;
     return address.value == slave_.station ? go(step::to_init)
                                            : fail({.code = master_errc::wrong_station, .station = slave_.station});
 }

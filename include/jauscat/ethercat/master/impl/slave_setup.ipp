@@ -12,9 +12,7 @@ JAUSCAT_FUNCTION slave_setup::slave_setup(slave_record& slave, std::uint32_t& im
 }
 
 JAUSCAT_FUNCTION std::size_t slave_setup::request_size() const noexcept {
-    const auto& mailbox = slave_->mailbox;
-    const std::size_t largest = std::max(mailbox.receive_size, mailbox.send_size);
-    return uploads_ ? datagram_overhead + largest : setup_.request_size();
+    return uploads_ ? upload_.request_size() : setup_.request_size();
 }
 
 JAUSCAT_FUNCTION void slave_setup::request(frame_builder& frame) noexcept {
