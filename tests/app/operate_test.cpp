@@ -3,11 +3,15 @@
 #include "support/catch.hpp"
 #include "support/until.hpp"
 #include <jauscat/app/bus.hpp>
+#include <jauscat/ethercat/master/master.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
+#include <jauscat/net/link/run_master.hpp>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -402,4 +406,62 @@ TEST_CASE("a bus does not reset slaves in OP that are not its own, unless it tak
     CHECK_FALSE(outcome(bold));
     CHECK(b.state(0) == ethercat::al_state::pre_op);
     CHECK_FALSE(outcome(careful)); // none is in OP any more
+}
+
+TEST_CASE("many slaves are found and taken to OP in about as many frames as the jobs for all of them take") {
+    constexpr std::uint16_t count = 60;
+    std::vector<ethercat::slave_description> slaves;
+    for (unsigned i = 0; i != count; ++i)
+        slaves.push_back({.product = i + 1, .name = "drive", .outputs = {&told, 1}, .inputs = {&actual, 1}});
+    const auto by_jobs = [&] {
+        emulated_bus ring{slaves};
+        const auto link = net::open_link(ring.where());
+        const auto master = std::make_unique<ethercat::master_for<count>>();
+        const auto run = [&](const auto& job) { REQUIRE(net::run(*link, *master, job)); };
+        run(ethercat::scan{});
+        std::vector<ethercat::bring_up_place> up;
+        std::vector<ethercat::upload_place> names;
+        std::vector<ethercat::configure_place> configured;
+        std::vector<ethercat::state_place> changed;
+        std::vector<std::array<std::byte, 16>> memory(count);
+        for (std::uint16_t i = 0; i != count; ++i) {
+            const auto station = static_cast<std::uint16_t>(i + 1);
+            up.emplace_back(ethercat::bring_up{i, station});
+            names.emplace_back(ethercat::upload{station, ethercat::standard_indices::device_name, 0, memory[i]});
+            configured.emplace_back(station);
+            changed.emplace_back(station);
+        }
+        run(ethercat::bring_up_all{up});
+        run(ethercat::upload_all{names});
+        run(ethercat::configure_all{configured});
+        run(ethercat::change_states{changed, ethercat::al_state::safe_op});
+        return ring.frames();
+    }();
+    const bool thread = GENERATE(false, true);
+    bench b{thread, slaves};
+    REQUIRE_FALSE(b.start());
+    for (const auto& each : b.bus->slaves()) CHECK(each.name == "drive");
+    std::size_t running = 0;
+    for (std::uint16_t i = 0; i != count; ++i)
+        b.bus->slave({.position = i})
+            .async_operate({.period = 100ms, .watchdog = 2s, .timeout = 1s}, [&](error_code why) {
+                CHECK_FALSE(why);
+                ++running;
+            });
+    REQUIRE(b.until([&] { return running == count; }));
+    CHECK(b.ring.frames() < by_jobs * 3 / 2); // one by one it takes ten times as many
+}
+
+TEST_CASE("one of several slaves that does not take a state does not keep the others from it") {
+    bench b;
+    b.ring.with(1, [](auto& each) { each.hangs = true; });
+    std::vector<std::pair<int, error_code>> outcomes;
+    for (const std::uint16_t i : std::array<std::uint16_t, 4>{0, 1, 2, 0})
+        b.bus->slave({.position = i}).async_change(ethercat::al_state::init, [&outcomes, i](error_code why) {
+            outcomes.emplace_back(i, why);
+        });
+    REQUIRE(b.until([&] { return outcomes.size() == 4; }));
+    for (const auto& [position, why] : outcomes) CHECK(why.failed() == (position == 1));
+    CHECK(b.state(0) == ethercat::al_state::init);
+    CHECK(b.state(2) == ethercat::al_state::init);
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -62,7 +63,54 @@ class bring_ups {
     std::vector<ethercat::bring_up_place> places_{};
 };
 
-/// Brings a slave up and reads its alias and its name.
+/// A slave that was brought up with others, or why it was not.
+inline bus_slave brought_up(std::uint16_t position, std::uint16_t station, const ethercat::master& master,
+                            const ethercat::master_error& why) {
+    bus_slave made{};
+    made.info.position = position;
+    made.info.station = station;
+    made.why = error_of(why);
+    const auto* const record = made.why ? nullptr : master.find(station);
+    if (record == nullptr) return made;
+    made.identify(*record);
+    made.al.state = ethercat::al_state::pre_op;
+    return made;
+}
+
+/// Reads the names of slaves at once.
+class device_names {
+  public:
+    void add(const bus_slave& slave) {
+        if (slave.info.has_objects && !slave.why)
+            places_.emplace_back(ethercat::upload{.station = slave.info.station, .index = device_name});
+    }
+    [[nodiscard]] bool empty() const noexcept { return places_.empty(); }
+    [[nodiscard]] bool start(ethercat::master& master) {
+        constexpr std::size_t longest = 512;
+        memory_.resize(places_.size() * longest);
+        for (std::size_t i = 0; i != places_.size(); ++i)
+            places_[i].object.into = std::span{memory_}.subspan(i * longest, longest);
+        return master.start(ethercat::upload_all{places_}).has_value();
+    }
+    /// Empty: it has none.
+    [[nodiscard]] std::string of(const bus_slave& slave) const {
+        const auto found = std::ranges::find(places_, slave.info.station,
+                                             [](const ethercat::upload_place& each) { return each.object.station; });
+        if (found == places_.end() || found->error != ethercat::master_error{}) return {};
+        return text_of(found->object.into.first(found->size));
+    }
+
+    static constexpr std::uint16_t device_name = ethercat::standard_indices::device_name;
+    [[nodiscard]] static std::string text_of(std::span<const std::byte> name) {
+        return std::get<1>(object_conversion<std::string>{}({}, {name.begin(), name.end()}));
+    }
+
+  private:
+    std::vector<ethercat::upload_place> places_{};
+    std::vector<std::byte> memory_{};
+};
+
+/// Brings a slave up again and reads its name.
 class slave_identification {
   public:
     slave_identification() = default;
@@ -73,74 +121,31 @@ class slave_identification {
         found.info.station = station;
     }
 
-    /// Of one that was brought up with others, with this outcome.
-    slave_identification(std::uint16_t position, std::uint16_t station, const ethercat::master& master,
-                         const ethercat::master_error& why)
-        : slave_identification{position, station, {}} {
-        error = error_of(why);
-        step_ = error ? step::done : step::alias;
-        if (const auto* const record = master.find(station); record != nullptr && !error) take(*record);
-    }
-    /// Of one that is in PRE-OP or higher already.
-    explicit slave_identification(const bus_slave& known) : found{known}, step_{step::alias} {}
-
     bool begin(bus_state& bus, ethercat::master& master) {
         const auto station = found.info.station;
-        switch (step_) {
-        case step::bring_up:
+        if (step_ == step::bring_up)
             return master.start(ethercat::bring_up{found.info.position, station, required_}).has_value();
-        case step::alias:
-            return master
-                .start(ethercat::exchange_datagram{ethercat::command::fprd, station,
-                                                   ethercat::esc_registers::station_alias.address, alias_})
-                .has_value();
-        case step::name:
-            return master.start(ethercat::upload{station, ethercat::standard_indices::device_name, 0, bus.memory()})
-                .has_value();
-        case step::done: break;
-        }
+        if (step_ == step::name)
+            return master.start(ethercat::upload{station, device_names::device_name, 0, bus.memory()}).has_value();
         return false;
     }
-    void end(bus_state& bus, ethercat::master& master) {
-        error = error_of(master.error());
-        switch (step_) {
-        case step::bring_up:
-            if (const auto record = master.result<ethercat::bring_up>()) take(*record);
-            step_ = error ? step::done : step::alias;
-            return;
-        case step::alias:
-            if (master.result<ethercat::exchange_datagram>().value_or(0) == 1)
-                found.info.alias = static_cast<std::uint16_t>(std::to_integer<unsigned>(alias_[0]) |
-                                                              std::to_integer<unsigned>(alias_[1]) << 8);
-            step_ = found.info.has_objects ? step::name : step::done;
-            return;
-        case step::name:
-            if (const auto name = master.result<ethercat::upload>())
-                std::tie(std::ignore, found.info.name) =
-                    object_conversion<std::string>{}({}, {name->begin(), name->end()});
-            error = {}; // not every slave has one
-            static_cast<void>(bus);
+    void end(ethercat::master& master) {
+        if (step_ == step::bring_up) {
+            found = brought_up(found.info.position, found.info.station, master, master.error());
+            step_ = !found.why && found.info.has_objects ? step::name : step::done;
+        } else { // not every slave has one
+            if (const auto name = master.result<ethercat::upload>()) found.info.name = device_names::text_of(*name);
             step_ = step::done;
-            return;
-        case step::done: return;
         }
     }
 
-    enum class step : std::uint8_t { bring_up, alias, name, done };
-
     bus_slave found{};
-    error_code error{};
 
   private:
-    void take(const ethercat::slave_record& record) {
-        found.identify(record);
-        found.al.state = ethercat::al_state::pre_op;
-    }
+    enum class step : std::uint8_t { bring_up, name, done };
 
     step step_{};
-
     ethercat::identity_check required_{};
-    std::array<std::byte, 2> alias_{};
 };
 
 /// Finds all slaves.
@@ -163,30 +168,33 @@ class start_job final : public bus_job {
                     new_.add(i, station_at(i));
         if (!is_brought_up_ && !new_.empty()) return new_.start(master);
         is_brought_up_ = true;
-        for (;;) {
-            if (is_identifying_ && one_.begin(bus, master)) return true;
-            if (std::exchange(is_identifying_, false)) keep(bus);
-            if (found_.size() == count_) break;
-            const auto position = static_cast<std::uint16_t>(found_.size());
-            const auto* const known = bus.at_position(position);
-            if (known == nullptr || !known->info.is_served)
-                one_ = {position, station_at(position), master, new_.error_at(position)};
-            else if (known->is_identified && !known->info.is_lost)
-                one_ = slave_identification{*known};
-            else { // it is brought up by its bridge
-                found_.push_back(*known);
-                continue;
-            }
-            is_identifying_ = true;
+        for (auto i = static_cast<std::uint16_t>(found_.size()); i != count_; ++i) {
+            const auto* const known = bus.at_position(i);
+            const bool is_served = known != nullptr && known->info.is_served;
+            found_.push_back(is_served ? *known : brought_up(i, station_at(i), master, new_.error_at(i)));
+            const auto& made = found_.back();
+            if (!is_served || (made.is_identified && !made.info.is_lost)) names_.add(made);
+        }
+        if (!are_named_ && !names_.empty()) return names_.start(master);
+        error_code first;
+        for (auto& each : found_) {
+            if (each.info.has_objects) each.info.name = names_.of(each);
+            if (!each.info.is_served) each.info.is_lost = each.why.failed();
+            if (each.info.is_served || !each.why) continue;
+            bus.log(name_of(each.info) + " is not brought up: " + each.why.message());
+            if (!first) first = each.why;
         }
         bus.slaves() = std::move(found_);
         bus.set_started();
-        done_->complete(error_);
+        done_->complete(first);
         return false;
     }
     void end(bus_state& bus, ethercat::master& master) override {
-        if (is_brought_up_) return one_.end(bus, master);
         if (const auto error = error_of(master.error())) return fail(error);
+        if (is_brought_up_) {
+            are_named_ = true;
+            return;
+        }
         if (!is_counted_ && !is_serving_ && look_.ends(bus, master)) {
             if (look_.is_occupied()) fail(bus_errc::in_use);
             return;
@@ -206,17 +214,6 @@ class start_job final : public bus_job {
     void fail(error_code why) override { done_->complete(why); }
 
   private:
-    void keep(bus_state& bus) {
-        auto& found = one_.found;
-        found.info.is_lost = one_.error.failed();
-        found.why = one_.error;
-        if (one_.error) {
-            bus.log(name_of(found.info) + " is not brought up: " + one_.error.message());
-            if (!error_) error_ = one_.error;
-        }
-        found_.push_back(std::move(found));
-    }
-
     [[nodiscard]] static std::uint16_t station_at(std::uint16_t position) noexcept {
         return static_cast<std::uint16_t>(bus_state::first_station + position);
     }
@@ -227,10 +224,9 @@ class start_job final : public bus_job {
     std::array<std::byte, 1> type_{};
     std::uint16_t count_{};
     bring_ups new_{};
-    bool is_identifying_{};
-    slave_identification one_{};
     std::vector<bus_slave> found_{};
-    error_code error_{};
+    device_names names_{};
+    bool are_named_{};
 };
 
 /// Finds the slaves of a bus whose options name them: those that have come, gone or moved, or all.
@@ -253,15 +249,17 @@ class find_job final : public bus_job {
                 step_ = step::name;
                 break;
             case step::name:
-                if (is_identifying_ && one_.begin(bus, master)) return true;
-                if (std::exchange(is_identifying_, false)) keep(bus);
-                if (next_ == new_.size()) {
-                    step_ = step::identify;
-                    break;
+                if (found_.empty())
+                    for (const auto& [position, station] : new_) {
+                        found_.push_back(brought_up(position, station, master, ups_.error_at(position)));
+                        names_.add(found_.back());
+                    }
+                if (!are_named_ && !names_.empty()) return names_.start(master);
+                for (auto& each : found_) {
+                    each.info.name = names_.of(each);
+                    if (bus.note_brought_up(each, each.why)) places_.emplace_back(each.info.station);
                 }
-                one_ = {new_[next_].first, new_[next_].second, master, ups_.error_at(new_[next_].first)};
-                is_identifying_ = true;
-                ++next_;
+                step_ = step::identify;
                 break;
             case step::identify:
                 step_ = step::prepare;
@@ -314,7 +312,7 @@ class find_job final : public bus_job {
             if (error) return fail(error);
             step_ = step::name;
             return;
-        case step::name: return one_.end(bus, master);
+        case step::name: are_named_ = true; return;
         case step::identify:
             for (const auto& each : places_)
                 if (auto* const slave = bus.at(each.station)) {
@@ -346,9 +344,6 @@ class find_job final : public bus_job {
         for (const auto& [position, station] : new_) ups_.add(position, station);
         step_ = step::bring_up;
     }
-    void keep(bus_state& bus) {
-        if (bus.note_brought_up(one_.found, one_.error)) places_.emplace_back(one_.found.info.station);
-    }
     void prepared(bus_state& bus, const ethercat::master& master, error_code error) {
         auto* const slave = bus.at(station_);
         if (slave == nullptr) return;
@@ -375,9 +370,9 @@ class find_job final : public bus_job {
     std::array<std::uint16_t, bus_state::max_slaves> unknown_{};
     std::vector<std::pair<std::uint16_t, std::uint16_t>> new_{}; ///< positions, and the station addresses that they get
     bring_ups ups_{};
-    std::size_t next_{};
-    bool is_identifying_{};
-    slave_identification one_{};
+    std::vector<bus_slave> found_{};
+    device_names names_{};
+    bool are_named_{};
     std::vector<ethercat::identify_place> places_{};
     std::uint16_t station_{}; ///< of the slave that is prepared
     bool writes_{};           ///< its start-up objects; else it is brought up
@@ -410,7 +405,7 @@ class look_job final : public bus_job {
             bus.note_emergencies(*slave, master);
             step_ = step::done;
             return;
-        case step::identify: return one_.end(bus, master);
+        case step::identify: return one_.end(master);
         case step::done: return;
         }
     }
@@ -440,8 +435,7 @@ class look_job final : public bus_job {
         step_ = step::done;
         auto* const slave = bus.at(station_);
         if (slave == nullptr) return;
-        if (one_.error) return bus.note_lost(*slave, one_.error);
-        slave->info.alias = one_.found.info.alias; // all else is as it was, or was not known
+        if (one_.found.why) return bus.note_lost(*slave, one_.found.why);
         const auto lost = *slave;
         *slave = one_.found;
         slave->info.is_lost = lost.info.is_lost;
@@ -507,31 +501,108 @@ template <class Make, class Take, class... Results> class slave_job final : publ
     std::uint16_t station_{};
 };
 
-/// Takes a slave to a state, and configures its process data before SAFE-OP.
-class change_job final : public bus_job {
-  public:
-    change_job(const slave_choice& which, ethercat::al_state goal, operation_ptr<> done)
-        : which_{which}, goal_{goal}, done_{std::move(done)} {}
-    change_job(std::uint16_t station, ethercat::al_state goal, operation_ptr<> done)
-        : goal_{goal}, done_{std::move(done)}, station_{station} {}
+/// A slave that is to be in another state: chosen by the application, or known.
+struct state_request {
+    slave_choice which{};
+    std::uint16_t station{}; ///< 0: `which` says it
+    operation_ptr<> done{};
 
+    /// The slave, or nullptr and the error.
+    [[nodiscard]] bus_slave* find(bus_state& bus, error_code& error) const {
+        error = bus_errc::no_such_slave;
+        auto* const found = station != 0 ? bus.at(station) : bus.find(which, error);
+        if (found == nullptr || !found->info.is_served) return found;
+        error = bus_errc::served;
+        return nullptr;
+    }
+};
+
+/// Takes slaves to INIT or PRE-OP, all those at once whose requests follow each other.
+class state_job final : public bus_job {
+  public:
+    state_job(state_request first, ethercat::al_state goal) : goal_{goal} { requests_.push_back(std::move(first)); }
+
+    [[nodiscard]] bool takes_along(bus_job& next) override {
+        auto* const other = dynamic_cast<state_job*>(&next);
+        if (other == nullptr || other->goal_ != goal_ || requests_.size() == bus_state::max_slaves) return false;
+        std::ranges::move(other->requests_, std::back_inserter(requests_));
+        return true;
+    }
     bool begin(bus_state& bus, ethercat::master& master) override {
-        error_code error = bus_errc::no_such_slave;
-        auto* const slave = station_ != 0 ? bus.at(station_) : bus.find(which_, error);
-        if (slave == nullptr) return fail(error), false;
-        if (slave->info.is_served) return fail(bus_errc::served), false;
-        if (goal_ == ethercat::al_state::op) return fail(bus_errc::needs_cycles), false;
-        const auto station = station_ = slave->info.station;
-        if (goal_ != ethercat::al_state::safe_op || slave->is_configured) {
-            step_ = step::change;
-            return master.start(ethercat::change_state{station, goal_}).has_value();
+        if (has_begun_) return false;
+        has_begun_ = true;
+        std::erase_if(requests_, [](const state_request& each) { return each.done->is_done(); });
+        for (auto& each : requests_) {
+            error_code error;
+            const auto* const slave = each.find(bus, error);
+            if (slave == nullptr)
+                each.done->complete(error);
+            else if (each.station = slave->info.station; place_of(each.station) == nullptr)
+                places_.emplace_back(each.station);
         }
-        if (step_ == step::look) return master.start(ethercat::check{station}).has_value();
-        if (step_ == step::configure) return master.start(ethercat::configure{station}).has_value();
-        return master.start(ethercat::change_state{station, ethercat::al_state::pre_op}).has_value();
+        return !places_.empty() && master.start(ethercat::change_states{places_, goal_}).has_value();
     }
     void end(bus_state& bus, ethercat::master& master) override {
-        auto* const slave = bus.at(station_);
+        for (const auto& each : places_) {
+            auto* const slave = bus.at(each.station);
+            if (slave == nullptr) continue;
+            const auto& why = each.error == ethercat::master_error{} ? master.error() : each.error;
+            bus.note_outcome(*slave, error_of(why));
+            if (goal_ == ethercat::al_state::init && !error_of(why)) slave->is_configured = false;
+            if (!error_of(why)) bus.note_state(*slave, {.state = goal_});
+            tell(each.station, error_of(why) ? error_of(slave->info, why) : error_code{});
+        }
+        fail(bus_errc::no_such_slave);
+    }
+    [[nodiscard]] bool is_over() const override {
+        return std::ranges::all_of(requests_, [](const state_request& each) { return each.done->is_done(); });
+    }
+    /// Those that are there already have not failed.
+    void fail(error_code why) override {
+        for (const auto& each : requests_) {
+            const auto* const place = has_begun_ ? place_of(each.station) : nullptr;
+            const bool is_there = place != nullptr && place->has_ended() && place->error == ethercat::master_error{};
+            each.done->complete(is_there ? error_code{} : why);
+        }
+    }
+
+  private:
+    [[nodiscard]] const ethercat::state_place* place_of(std::uint16_t station) const {
+        const auto found = std::ranges::find(places_, station, &ethercat::state_place::station);
+        return found == places_.end() ? nullptr : &*found;
+    }
+    void tell(std::uint16_t station, error_code outcome) {
+        for (const auto& each : requests_)
+            if (each.station == station) each.done->complete(outcome);
+    }
+
+    std::vector<state_request> requests_{};
+    ethercat::al_state goal_;
+    std::vector<ethercat::state_place> places_{};
+    bool has_begun_{};
+};
+
+/// Takes a slave to SAFE-OP, with its process data configured.
+class safe_op_job final : public bus_job {
+  public:
+    explicit safe_op_job(state_request request) : request_{std::move(request)} {}
+
+    bool begin(bus_state& bus, ethercat::master& master) override {
+        error_code error;
+        const auto* const slave = request_.find(bus, error);
+        if (slave == nullptr) return fail(error), false;
+        const auto station = request_.station = slave->info.station;
+        if (slave->is_configured) step_ = step::change;
+        switch (step_) {
+        case step::look: return master.start(ethercat::check{station}).has_value();
+        case step::pre_op: return master.start(ethercat::change_state{station, ethercat::al_state::pre_op}).has_value();
+        case step::configure: return master.start(ethercat::configure{station}).has_value();
+        case step::change: break;
+        }
+        return master.start(ethercat::change_state{station, goal}).has_value();
+    }
+    void end(bus_state& bus, ethercat::master& master) override {
+        auto* const slave = bus.at(request_.station);
         const auto error = error_of(master.error());
         if (slave == nullptr) return fail(bus_errc::no_such_slave);
         bus.note_outcome(*slave, error);
@@ -543,7 +614,7 @@ class change_job final : public bus_job {
         switch (step_) {
         case step::look:
             if (const auto al = master.result<ethercat::check>()) {
-                if (al->state == goal_ && !al->error) break;
+                if (al->state == goal && !al->error) break;
                 step_ = al->state == ethercat::al_state::pre_op && !al->error ? step::configure : step::pre_op;
             }
             return;
@@ -551,22 +622,42 @@ class change_job final : public bus_job {
         case step::configure: slave->is_configured = true; return;
         case step::change: break;
         }
-        if (goal_ == ethercat::al_state::init) slave->is_configured = false;
-        bus.note_state(*slave, {.state = goal_});
-        done_->complete({});
+        bus.note_state(*slave, {.state = goal});
+        request_.done->complete({});
     }
-    [[nodiscard]] bool is_over() const override { return done_->is_done(); }
-    void fail(error_code why) override { done_->complete(why); }
+    [[nodiscard]] bool is_over() const override { return request_.done->is_done(); }
+    void fail(error_code why) override { request_.done->complete(why); }
 
   private:
     enum class step : std::uint8_t { look, pre_op, configure, change };
+    static constexpr auto goal = ethercat::al_state::safe_op;
 
-    slave_choice which_{};
-    ethercat::al_state goal_;
-    operation_ptr<> done_;
+    state_request request_;
     step step_{};
-    std::uint16_t station_{};
 };
+
+/// Ends with needs_cycles.
+class op_job final : public bus_job {
+  public:
+    explicit op_job(state_request request) : request_{std::move(request)} {}
+
+    bool begin(bus_state& bus, ethercat::master&) override {
+        error_code error;
+        return fail(request_.find(bus, error) == nullptr ? error : bus_errc::needs_cycles), false;
+    }
+    void end(bus_state&, ethercat::master&) override {}
+    [[nodiscard]] bool is_over() const override { return request_.done->is_done(); }
+    void fail(error_code why) override { request_.done->complete(why); }
+
+  private:
+    state_request request_;
+};
+
+inline std::unique_ptr<bus_job> change_job(state_request request, ethercat::al_state goal) {
+    if (goal == ethercat::al_state::op) return std::make_unique<op_job>(std::move(request));
+    if (goal == ethercat::al_state::safe_op) return std::make_unique<safe_op_job>(std::move(request));
+    return std::make_unique<state_job>(std::move(request), goal);
+}
 
 JAUSCAT_DECL std::unique_ptr<bus_job> make_start_job(operation_ptr<> done) {
     return std::make_unique<start_job>(std::move(done));
@@ -579,11 +670,11 @@ JAUSCAT_DECL std::unique_ptr<bus_job> make_look_job(std::uint16_t station) {
 }
 JAUSCAT_DECL std::unique_ptr<bus_job> make_change_job(const slave_choice& which, ethercat::al_state goal,
                                                       operation_ptr<> done) {
-    return std::make_unique<change_job>(which, goal, std::move(done));
+    return change_job({.which = which, .done = std::move(done)}, goal);
 }
 JAUSCAT_DECL std::unique_ptr<bus_job> make_change_job(std::uint16_t station, ethercat::al_state goal,
                                                       operation_ptr<> done) {
-    return std::make_unique<change_job>(station, goal, std::move(done));
+    return change_job({.station = station, .done = std::move(done)}, goal);
 }
 
 // ---- The operations.

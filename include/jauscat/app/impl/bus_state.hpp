@@ -58,6 +58,8 @@ class bus_job {
     /// Nobody waits for the outcome.
     [[nodiscard]] virtual bool is_over() const = 0;
     virtual void fail(error_code why) = 0;
+    /// Does the work of the next job together with its own, which has not begun. False: that is to be done later.
+    [[nodiscard]] virtual bool takes_along(bus_job&) { return false; }
 
     duration limit{};                  ///< it may take so long
     time_point due{time_point::max()}; ///< since it has begun
@@ -302,6 +304,13 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
              std::string_view type = {});
     void add(std::unique_ptr<bus_job> job, duration limit);
     struct taking_over;
+    /// A slave in PRE-OP that is to be operated.
+    struct prepared_slave {
+        slave_choice which;
+        operate_options options;
+        operation_ptr<> done;
+    };
+    void take_over_prepared();
     void take_over(const bus_slave& which, const operate_options& options, const operation_ptr<>& done);
     void run_cycle();
     void queue_change(std::uint16_t station, ethercat::al_state goal, operation_ptr<> done);
@@ -348,6 +357,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     std::unique_ptr<ring_type> ring_{};
     ring_output output_{*this};
     std::vector<bus_user*> users_{};
+    std::vector<prepared_slave> prepared_{};
     std::vector<std::unique_ptr<operated_slave>> operated_{};
     std::vector<std::uint16_t> stations_{}; ///< of slaves of bridges
     std::vector<const bridging::bridge_options*> timings_{};

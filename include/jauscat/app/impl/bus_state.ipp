@@ -108,6 +108,7 @@ JAUSCAT_DECL error_code error_of_loss(ethercat::al_state goal, const ethercat::m
 
 JAUSCAT_DECL void bus_slave::identify(const ethercat::slave_record& record) noexcept {
     info.station = record.station;
+    info.alias = record.alias;
     info.vendor = record.identity.vendor;
     info.product = record.identity.product;
     info.revision = record.identity.revision;
@@ -288,6 +289,7 @@ JAUSCAT_DECL std::unique_ptr<bus_job> bus_state::next_job(time_point now) {
     if (queue_.empty()) return nullptr;
     auto next = std::move(queue_.front());
     queue_.pop_front();
+    while (!queue_.empty() && (queue_.front()->is_over() || next->takes_along(*queue_.front()))) queue_.pop_front();
     next->due = deadline{now, next->limit}.at();
     return next;
 }
@@ -357,6 +359,10 @@ JAUSCAT_DECL void bus_state::stop() noexcept {
     {
         const auto locked = lock();
         attempt([&] { abort_all(boost::asio::error::operation_aborted); });
+        attempt([&] {
+            for (const auto& each : std::exchange(prepared_, {}))
+                each.done->complete(boost::asio::error::operation_aborted);
+        });
         for (auto* const user : users_) user->was_up = user->front().up();
         auto kept = std::exchange(on_cycle, nullptr); // what it refers to may be gone; nothing moves from now on
         attempt([&] {

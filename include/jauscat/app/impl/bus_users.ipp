@@ -260,14 +260,11 @@ struct bus_state::taking_over final : operation<> {
         const auto bus = bus_.lock();
         if (error) return done_->complete(error);
         if (!bus) return done_->complete(boost::asio::error::operation_aborted);
-        boost::asio::post(bus->context(), [weak = bus_, which = which_, options = options_, done = done_] {
-            const auto self = weak.lock();
-            if (!self) return done->complete(boost::asio::error::operation_aborted);
-            const auto locked = self->lock();
-            error_code why;
-            const auto* const slave = self->find(which, why);
-            if (slave == nullptr || done->is_done()) return done->complete(why);
-            self->take_over(*slave, options, done);
+        const auto locked = bus->lock();
+        bus->prepared_.push_back({which_, options_, done_});
+        if (bus->prepared_.size() != 1) return;
+        boost::asio::post(bus->context(), [weak = bus_] {
+            if (const auto self = weak.lock()) self->take_over_prepared();
         });
     }
 
@@ -288,6 +285,18 @@ JAUSCAT_DECL void bus_state::operate(const slave_choice& which, const operate_op
     add(make_change_job(which, ethercat::al_state::pre_op,
                         std::make_shared<taking_over>(*this, which, options, std::move(done))),
         options_.timeout);
+}
+/// All at once, so that the ring brings them to OP together.
+JAUSCAT_DECL void bus_state::take_over_prepared() {
+    const auto locked = lock();
+    for (const auto& each : std::exchange(prepared_, {})) {
+        error_code why;
+        const auto* const slave = find(each.which, why);
+        if (slave == nullptr || each.done->is_done())
+            each.done->complete(why);
+        else
+            take_over(*slave, each.options, each.done);
+    }
 }
 JAUSCAT_DECL void bus_state::take_over(const bus_slave& which, const operate_options& options,
                                        const operation_ptr<>& done) {
