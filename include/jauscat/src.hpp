@@ -14,6 +14,7 @@
 #include <jauscat/app/impl/clients.ipp>
 #include <jauscat/app/impl/component.ipp>
 #include <jauscat/app/impl/component_state.ipp>
+#include <jauscat/app/impl/drive.ipp>
 #include <jauscat/app/impl/error.ipp>
 #include <jauscat/app/impl/explained.ipp>
 #include <jauscat/app/impl/node_context.ipp>

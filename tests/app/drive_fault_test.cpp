@@ -1,5 +1,5 @@
 // Faults of drives behind a bridge: the log, the application's functions and the status of the component.
-#include "app/emulated_bus.hpp"
+#include "app/emulated_joint.hpp"
 #include "support/catch.hpp"
 #include "support/free_ports.hpp"
 #include "support/until.hpp"
@@ -10,8 +10,6 @@
 #include <jauscat/bridge/observer.hpp>
 #include <jauscat/ethercat/cia402/emulated_drive.hpp>
 #include <jauscat/ethercat/cia402/error_text.hpp>
-#include <jauscat/ethercat/slave/standard_objects.hpp>
-#include <jauscat/net/now.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
 
@@ -23,7 +21,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace std::chrono_literals;
@@ -40,47 +37,6 @@ namespace {
 
 constexpr std::size_t drive_count = 2;
 constexpr jaus::address arm{.instance = 1, .component = 54, .node = 1, .subsystem = 2};
-
-/// The mode of operation and the byte behind it have changed places.
-constexpr auto other_outputs = [] {
-    auto entries = cia402::drive_outputs<>;
-    std::swap(entries[1], entries[2]);
-    return entries;
-}();
-
-struct emulated_joint {
-    explicit emulated_joint(const ethercat::slave_description& is = cia402::drive_description<>) : description{is} {}
-
-    cia402::emulated_drive<> drive{};
-    ethercat::slave_description description;
-    ethercat::standard_objects objects{description, drive};
-    ethercat::slave slave{description, objects};
-    bool was_up{};
-    unsigned bring_ups{};
-
-    static bool has_clock() { return false; }
-    void work(std::span<std::byte>, jauscat::time_point now) { on_time(now); }
-    void on_time(jauscat::time_point now) {
-        slave.work();
-        slave.on_time(now);
-        const bool is_up = slave.state() != ethercat::al_state::init;
-        if (!std::exchange(was_up, is_up) && is_up) ++bring_ups;
-        drive.work(slave, now);
-    }
-};
-
-class drive_bus : public jauscat::test::basic_emulated_bus<emulated_joint> {
-  public:
-    explicit drive_bus(const ethercat::slave_description& last)
-        : basic_emulated_bus{[&](auto& made) {
-              while (made.size() != drive_count - 1) made.emplace_back();
-              made.emplace_back(last);
-          }} {}
-
-    void set_fault(std::size_t i, std::uint16_t code) {
-        with(i, [&](auto& each) { each.drive.axes[0].disturbed.fault = code; });
-    }
-};
 
 /// A file with one system.
 class configuration {
@@ -110,7 +66,8 @@ class configuration {
 struct bench {
     explicit bench(bool has_error_code = true, bool has_thread = false,
                    const ethercat::slave_description& last = cia402::drive_description<>)
-        : drives{last}, bus{context, drives.where(), {.thread = has_thread, .log = [](std::string_view) {}}} {
+        : drives{{cia402::drive_description<>, last}},
+          bus{context, drives.where(), {.thread = has_thread, .log = [](std::string_view) {}}} {
         std::array<bridging::joint_options, drive_count> joints{};
         std::vector<jauscat::slave> slaves;
         for (std::size_t i = 0; i != joints.size(); ++i) {
@@ -161,7 +118,7 @@ struct bench {
     std::vector<drive_fault> told{};
     unsigned ended{};
     std::optional<status> state{};
-    drive_bus drives;
+    jauscat::test::drive_bus drives;
     configuration config{};
     asio::io_context context{1};
     jauscat::node node{context, config.options(lines)};
@@ -194,7 +151,7 @@ TEST_CASE("a bridge does not serve joints whose ramp takes longer than the limit
 
 TEST_CASE("a drive that maps its objects otherwise than its joint's places is refused by name, once") {
     auto last = cia402::drive_description<>;
-    last.outputs = other_outputs;
+    last.outputs = jauscat::test::other_drive_outputs;
     bench b{true, false, last};
     b.node.start();
     const auto refusals = [&] {

@@ -113,8 +113,18 @@ a_bridge_carries() { # bridge
     expect 1 "no frame returns" "$bin/objects" udp:127.0.0.1
     expect 2 "objects INTERFACE" "$bin/objects"
     expect 1 "nix0" "$bin/objects" nix0
+    expect 2 "two_axes INTERFACE" "$bin/two_axes"
+    expect 0 "two_axes (JausCat)" "$bin/two_axes" --version
+    expect 1 "nix0" "$bin/two_axes" nix0
     expect 2 "two_drives INTERFACE" "$bin/two_drives"
     expect 1 "nix0" "$bin/two_drives" nix0
+}
+two_drives_are_axes() { # two_axes
+    "$bin/emulated_drives" >"$work/arm.log" 2>&1 &
+    arm=$!
+    start ", -0." "$bin/two_axes" udp:127.0.0.1 # there and back; the second axis comes a cycle later
+    head -n 1 "$work/server.log" | grep -qE '^(1|0\.99|1\.00)[0-9]*, 0\.(5|49|48)[0-9]*$' || fail "an axis is not there"
+    kill -INT "$server" && wait "$server" || fail "two_axes ends with $?"
 }
 six_drives_are_an_arm() { # six_joints
     local config=(--config "$bin/JausConfig.xml")

@@ -1,6 +1,7 @@
 // Errors of the operations of a bus, as error codes.
 #pragma once
 #include <jauscat/base/compilation.hpp>
+#include <jauscat/ethercat/cia402/axis_errc.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
 #include <jauscat/schema/ethercat/coe.hpp>
 
@@ -91,10 +92,12 @@ enum class bus_errc : std::uint8_t {
     return "unknown error";
 }
 
-/// The category of these errors, of abort codes, and of AL status codes.
+/// The categories of these errors, of abort codes, and of AL status codes.
 [[nodiscard]] JAUSCAT_DECL const boost::system::error_category& bus_category() noexcept;
 [[nodiscard]] JAUSCAT_DECL const boost::system::error_category& abort_category() noexcept;
 [[nodiscard]] JAUSCAT_DECL const boost::system::error_category& al_status_category() noexcept;
+/// Of cia402::axis_errc.
+[[nodiscard]] JAUSCAT_DECL const boost::system::error_category& axis_category() noexcept;
 
 [[nodiscard]] inline boost::system::error_code make_error_code(bus_errc error) noexcept {
     return {static_cast<int>(error), bus_category()};
@@ -112,12 +115,21 @@ namespace ethercat {
 }
 
 } // namespace ethercat
+
+namespace cia402 {
+
+[[nodiscard]] inline boost::system::error_code make_error_code(axis_errc code) noexcept {
+    return {static_cast<int>(code), axis_category()};
+}
+
+} // namespace cia402
 } // namespace jauscat
 
 namespace boost::system {
 template <> struct is_error_code_enum<jauscat::bus_errc> : std::true_type {};
 template <> struct is_error_code_enum<jauscat::ethercat::abort_code> : std::true_type {};
 template <> struct is_error_code_enum<jauscat::ethercat::al_status_code> : std::true_type {};
+template <> struct is_error_code_enum<jauscat::cia402::axis_errc> : std::true_type {};
 } // namespace boost::system
 
 #ifndef JAUSCAT_SEPARATE_COMPILATION

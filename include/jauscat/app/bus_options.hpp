@@ -3,6 +3,7 @@
 #include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 #include <jauscat/ethercat/master/clock_record.hpp>
+#include <jauscat/ethercat/master/process_object.hpp>
 #include <jauscat/net/config/slave_entry.hpp>
 
 #include <algorithm>
@@ -79,6 +80,8 @@ struct operate_options {
     /// bus_options::slaves. It reaches OP once its clock and the cycles follow the reference clock, which takes some
     /// seconds. The error is `not_synchronized` if they do not.
     std::optional<ethercat::sync_settings> sync{};
+    /// Get their places in the process data before the slave is in OP. They stay in place until it has left OP.
+    std::span<ethercat::process_object> objects{};
 };
 
 /// Of the cycles since the bus was started.

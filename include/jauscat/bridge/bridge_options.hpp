@@ -5,6 +5,7 @@
 #include <jauscat/ethercat/master/activity.hpp>
 #include <jauscat/ethercat/master/clock_jobs.hpp>
 #include <jauscat/ethercat/master/clock_record.hpp>
+#include <jauscat/ethercat/master/process_object.hpp>
 #include <jauscat/ethercat/master/sdo_options.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
 
@@ -26,6 +27,8 @@ struct slave_options {
     ethercat::sync_settings sync{};
     /// In PRE-OP already, by another job of the master: it is not brought up, also not after a loss.
     bool is_taken_over{};
+    /// Get their places in the process data of a cyclic slave that no part uses, and stay in place.
+    std::span<ethercat::process_object> objects{};
 };
 
 /// The times of a bridge. `at_rest_within` derives them from the one that counts.

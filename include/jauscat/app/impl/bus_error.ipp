@@ -48,5 +48,17 @@ JAUSCAT_DECL const boost::system::error_category& al_status_category() noexcept 
     return category;
 }
 
+JAUSCAT_DECL const boost::system::error_category& axis_category() noexcept {
+    static const class category_type final : public app::known_category {
+      public:
+        category_type() : known_category{0x6A61757363617404} {}
+        [[nodiscard]] const char* name() const noexcept override { return "jauscat.axis"; }
+        [[nodiscard]] std::string message(int code) const override {
+            return std::string{describe(static_cast<cia402::axis_errc>(code))};
+        }
+    } category;
+    return category;
+}
+
 } // namespace JAUSCAT_WAY
 } // namespace jauscat

@@ -65,6 +65,22 @@ class bus_job {
     time_point due{time_point::max()}; ///< since it has begun
 };
 
+/// Works with the process data of slaves in operation, before the application does.
+class cycle_user {
+  public:
+    cycle_user() = default;
+    virtual ~cycle_user() = default;
+    cycle_user(const cycle_user&) = delete;
+    cycle_user& operator=(const cycle_user&) = delete;
+
+    virtual void on_cycle(time_point now) = 0;
+    /// It comes to rest in the next cycles.
+    virtual void begin_rest() = 0;
+    [[nodiscard]] virtual bool is_at_rest() const = 0;
+    [[nodiscard]] virtual bool uses(std::uint16_t station) const = 0;
+    virtual void bus_ends() = 0;
+};
+
 /// A bridge that serves a slave of the bus, or an operation of the slave.
 class bus_user {
   public:
@@ -201,7 +217,12 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     /// Process data of a slave in operation.
     [[nodiscard]] std::optional<bridging::slave_data> data_of(const slave_choice& which);
     [[nodiscard]] bus_statistics statistics() const;
-    [[nodiscard]] std::optional<time_point> cycle_begun() const;
+    /// The same, of the slave with this station address. Under the lock.
+    [[nodiscard]] std::optional<bridging::slave_data> data_at(std::uint16_t station) const;
+    /// The last cycle has brought the inputs. Under the lock.
+    [[nodiscard]] bool is_current(const bridging::slave_data& data) const;
+    /// Works in each cycle from now on, until the bus stops.
+    void add(const std::shared_ptr<cycle_user>& user);
     /// Where a function of the application counts on it.
     void keep_cycling() noexcept;
     void cancel();
@@ -221,6 +242,8 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     /// Serves the slave of the user's front from now on; empty, or why not.
     [[nodiscard]] std::string join(bus_user& user);
     void leave(const bus_user& user) noexcept;
+    /// Waits for at most 0.4 s until those that work in each cycle are at rest.
+    void bring_cycle_users_to_rest();
     /// Shuts the components down. Waits for at most 0.7 s until their slaves have confirmed that they are at rest.
     void bring_to_rest(std::span<bus_user* const> users);
     void note_served(bus_user& user, const ethercat::slave_record& record);
@@ -358,6 +381,8 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     ring_output output_{*this};
     std::vector<bus_user*> users_{};
     std::vector<prepared_slave> prepared_{};
+    std::vector<std::shared_ptr<cycle_user>> cycle_users_{};
+    bool has_cycle_thrown_{}; ///< since the last async_operate
     std::vector<std::unique_ptr<operated_slave>> operated_{};
     std::vector<std::uint16_t> stations_{}; ///< of slaves of bridges
     std::vector<const bridging::bridge_options*> timings_{};

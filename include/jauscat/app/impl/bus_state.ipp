@@ -366,7 +366,13 @@ JAUSCAT_DECL void bus_state::stop() noexcept {
         for (auto* const user : users_) user->was_up = user->front().up();
         auto kept = std::exchange(on_cycle, nullptr); // what it refers to may be gone; nothing moves from now on
         attempt([&] {
+            if (ring_) bring_cycle_users_to_rest();
+        });
+        attempt([&] {
             if (ring_) bring_to_rest(users_);
+        });
+        attempt([&] {
+            for (const auto& each : std::exchange(cycle_users_, {})) each->bus_ends();
         });
         on_cycle.swap(kept);
         end_operations();

@@ -110,6 +110,12 @@ JAUSCAT_DECL void bus_state::bring_to_rest(std::span<bus_user* const> users) {
     for (auto* const user : users) user->begin_rest(net::now(), output_);
     drive([&] { return std::ranges::none_of(users, &bus_user::awaits_rest); }, longest);
 }
+JAUSCAT_DECL void bus_state::bring_cycle_users_to_rest() {
+    constexpr duration longest = std::chrono::milliseconds{400};
+    for (const auto& each : cycle_users_) each->begin_rest();
+    drive([&] { return std::ranges::all_of(cycle_users_, [](const auto& each) { return each->is_at_rest(); }); },
+          longest);
+}
 JAUSCAT_DECL void bus_state::drive(const std::function<bool()>& is_done, duration limit) {
     std::array<std::byte, ethercat::max_frame_size> frame{};
     const deadline end{net::now(), limit};
@@ -184,7 +190,8 @@ JAUSCAT_DECL operated_slave::operated_slave(bus_state& on, const bus_slave& whic
               .identity = {.station = which.info.station},
               .cyclic = true,
               .sync = sync_of(which, options).value_or(ethercat::sync_settings{}),
-              .is_taken_over = true},
+              .is_taken_over = true,
+              .objects = options.objects},
              exchange_,
              timing_,
              memory_,
@@ -279,6 +286,7 @@ JAUSCAT_DECL void bus_state::operate(const slave_choice& which, const operate_op
     {
         const auto locked = lock();
         operate_period_ = options.period;
+        has_cycle_thrown_ = false;
         apply_timings();
         keep_cycling();
     }
@@ -312,12 +320,20 @@ JAUSCAT_DECL std::optional<bridging::slave_data> bus_state::data_of(const slave_
     error_code error;
     const auto* const slave = operated_.empty() ? nullptr : find(which, error);
     if (slave == nullptr) return std::nullopt;
-    const auto found = std::ranges::find(operated_, slave->info.station, &operated_slave::station);
+    return data_at(slave->info.station);
+}
+JAUSCAT_DECL std::optional<bridging::slave_data> bus_state::data_at(std::uint16_t station) const {
+    const auto found = std::ranges::find(operated_, station, &operated_slave::station);
     return found == operated_.end() ? std::nullopt : (*found)->data();
 }
-JAUSCAT_DECL std::optional<time_point> bus_state::cycle_begun() const {
+JAUSCAT_DECL bool bus_state::is_current(const bridging::slave_data& data) const {
+    const auto begun = ring_ ? ring_->cycle_begun() : std::nullopt;
+    return begun && data.status.last_inputs && *data.status.last_inputs >= *begun;
+}
+JAUSCAT_DECL void bus_state::add(const std::shared_ptr<cycle_user>& user) {
     const auto locked = lock();
-    return ring_ ? ring_->cycle_begun() : std::nullopt;
+    if (std::ranges::count(cycle_users_, user) == 0) cycle_users_.push_back(user);
+    keep_cycling();
 }
 JAUSCAT_DECL bus_statistics bus_state::statistics() const {
     const auto locked = lock();
@@ -338,11 +354,14 @@ JAUSCAT_DECL bus_statistics bus_state::statistics() const {
 }
 JAUSCAT_DECL void bus_state::keep_cycling() noexcept {
     if (!ring_) return;
-    ring_->keep_cycling(on_cycle && operate_period_ != duration{}, net::now());
+    ring_->keep_cycling((on_cycle || !cycle_users_.empty()) && operate_period_ != duration{}, net::now());
     wake();
 }
 JAUSCAT_DECL void bus_state::run_cycle() {
-    if (!on_cycle || operate_period_ == duration{}) return;
+    if (operate_period_ == duration{}) return;
+    const auto now = net::now();
+    for (const auto& each : cycle_users_) each->on_cycle(now);
+    if (!on_cycle || has_cycle_thrown_) return;
     try {
         on_cycle();
         return;
@@ -351,8 +370,13 @@ JAUSCAT_DECL void bus_state::run_cycle() {
     } catch (...) {
         log("every_cycle has thrown, all slaves in operation are brought to rest");
     }
-    for (const auto& each : operated_)
-        if (each->data()) each->end(ethercat::al_state::pre_op, std::make_shared<unheard>());
+    has_cycle_thrown_ = true;
+    for (const auto& each : cycle_users_) each->begin_rest();
+    for (const auto& each : operated_) {
+        const auto drives = [&](const auto& user) { return user->uses(each->station()); };
+        if (each->data() && std::ranges::none_of(cycle_users_, drives))
+            each->end(ethercat::al_state::pre_op, std::make_shared<unheard>());
+    }
 }
 JAUSCAT_DECL void bus_state::look_at_operated(time_point now) {
     using enum operated_slave::progress;

@@ -54,9 +54,9 @@ JAUSCAT_DECL std::span<const std::byte> slave::inputs() const {
     return data ? data->inputs : std::span<const std::byte>{};
 }
 JAUSCAT_DECL bool slave::has_current_inputs() const {
+    const auto locked = bus_->lock();
     const auto data = bus_->data_of(which_);
-    const auto begun = bus_->cycle_begun();
-    return data && begun && data->status.last_inputs && *data->status.last_inputs >= *begun;
+    return data && bus_->is_current(*data);
 }
 JAUSCAT_DECL duration slave::input_age() const {
     const auto data = bus_->data_of(which_);

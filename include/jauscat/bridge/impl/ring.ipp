@@ -502,7 +502,8 @@ JAUSCAT_FUNCTION ring::part_place ring::part_of(const place& at, std::size_t whi
 
 JAUSCAT_FUNCTION std::span<ethercat::process_object> ring::objects_of(const place& at) {
     const auto in = part_of(at, at.checked_parts);
-    return in.part == nullptr ? std::span<ethercat::process_object>{} : in.part->objects(in.slave);
+    if (in.part != nullptr) return in.part->objects(in.slave);
+    return at.checked_parts == 0 ? at.front->options().objects : std::span<ethercat::process_object>{};
 }
 
 JAUSCAT_FUNCTION void ring::configured(place& at, ethercat::master_error error, time_point now,

@@ -3,8 +3,8 @@
 
 #include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
+#include <jauscat/ethercat/master/process_object.hpp>
 #include <jauscat/ethercat/master/sii_read.hpp>
-#include <jauscat/schema/ethercat/pdo.hpp>
 #include <jauscat/schema/ethercat/sii.hpp>
 
 #include <array>
@@ -35,33 +35,6 @@ struct process_manager {
         if (index >= 0x1A00 && index <= 0x1BFF) carries(false);
     }
     [[nodiscard]] std::uint32_t bytes() const noexcept { return bits / 8 + (bits % 8 != 0 ? 1 : 0); }
-};
-
-/// An object that is looked for in a slave's process data, and its place there.
-struct process_object {
-    std::uint16_t index{};
-    std::uint8_t subindex{};
-    bool is_output{};
-    std::uint8_t bits{};       ///< 0: the process data do not have it
-    std::uint32_t first_bit{}; ///< in the slave's outputs or inputs
-    std::uint8_t manager{};    ///< number of the SyncManager that carries it
-
-    /// None is found.
-    static constexpr void forget(std::span<process_object> all) noexcept {
-        for (auto& each : all) each.bits = 0;
-    }
-    /// The entry begins at this bit of its SyncManager. Where several have an object, the first counts.
-    static constexpr void note(std::span<process_object> all, const pdo_mapping& entry, bool is_output,
-                               std::uint8_t manager, std::uint32_t first_bit) noexcept {
-        for (auto& each : all) {
-            if (each.bits != 0 || each.is_output != is_output || each.index != entry.index ||
-                each.subindex != entry.subindex)
-                continue;
-            each.bits = entry.bits;
-            each.first_bit = first_bit;
-            each.manager = manager;
-        }
-    }
 };
 
 /// Whether a SyncManager of the SII may carry process data. Where its use is not given, it becomes the direction that

@@ -1,0 +1,2 @@
+// A CiA 402 drive on a bus.
+#include <jauscat/app/impl/drive.ipp>

@@ -1,0 +1,248 @@
+// Drives of a bus in units of an application, in front of emulated ones.
+#include "app/emulated_joint.hpp"
+#include "support/catch.hpp"
+#include "support/until.hpp"
+#include <jauscat/app/drive.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace jauscat;
+using namespace std::chrono_literals;
+using boost::system::error_code;
+using cia402::axis_state;
+using cia402::mode;
+namespace asio = boost::asio;
+
+namespace {
+
+constexpr auto csp = mode::cyclic_synchronous_position, csv = mode::cyclic_synchronous_velocity;
+constexpr std::uint16_t over_current = cia402::error_codes::over_current;
+const std::vector<ethercat::slave_description> two{cia402::drive_description<>, cia402::drive_description<>};
+
+/// Radians: 10,000 increments each.
+drive_options radians() {
+    return {.increments = 10'000,
+            .max_velocity = 20,
+            .acceleration = 200,
+            .min_position = -3.0,
+            .max_position = 3.0,
+            .operate = {.period = 2ms, .watchdog = 2s, .timeout = 1s}};
+}
+
+struct bench {
+    explicit bench(const std::vector<ethercat::slave_description>& drives = two, bool thread = false)
+        : ring{drives},
+          bus{std::in_place, context, ring.where(),
+              bus_options{.frame_timeout = jauscat::test::frame_timeout,
+                          .thread = thread,
+                          .log = [this](std::string_view line) { lines.emplace_back(line); }}} {
+        REQUIRE_FALSE(outcome([&](auto done) { bus->async_start(done); }));
+    }
+    [[nodiscard]] drive at(std::uint16_t position, const drive_options& options = radians()) {
+        return {bus->slave({.position = position}), options};
+    }
+    error_code outcome(auto start) {
+        std::optional<error_code> error;
+        start([&](error_code why) { error = why; });
+        REQUIRE(until([&] { return error.has_value(); }));
+        return *error;
+    }
+    error_code operate(drive& which) {
+        return outcome([&](auto done) { which.async_operate(done); });
+    }
+    error_code enable(drive& which, mode in = csp) {
+        return outcome([&](auto done) { which.async_enable(in, done); });
+    }
+    [[nodiscard]] bool until(auto done) {
+        for (const auto begun = net::now(); !done(); context.restart(), context.run_for(2ms))
+            if (net::now() - begun > support::wait_limit) return false;
+        return true;
+    }
+    [[nodiscard]] cia402::drive_values values(std::size_t i) {
+        return ring.with(i, [](auto& each) { return each.axis().values; });
+    }
+
+    jauscat::test::drive_bus ring;
+    asio::io_context context{};
+    std::vector<std::string> lines{};
+    std::optional<jauscat::bus> bus;
+};
+
+} // namespace
+
+TEST_CASE("drives move to positions in units of the application") {
+    bench b{two, GENERATE(false, true)};
+    auto left = b.at(0), right = b.at(1);
+    CHECK(left.feedback().state == axis_state::unknown);
+    REQUIRE_FALSE(b.operate(left));
+    REQUIRE_FALSE(b.operate(right));
+    REQUIRE_FALSE(b.enable(left));
+    REQUIRE_FALSE(b.enable(right));
+    CHECK(left.feedback().mode == csp);
+    std::optional<error_code> there;
+    right.async_move_to(-0.5, [&](error_code why) { there = why; });
+    CHECK_FALSE(b.outcome([&](auto done) { left.async_move_to(1.25, done); }));
+    REQUIRE(b.until([&] { return there.has_value(); }));
+    CHECK_FALSE(*there);
+    CHECK(std::abs(left.feedback().position - 1.25) < 0.01);
+    CHECK(std::abs(b.values(0).position_actual - 12'500) < 100);
+    CHECK(std::abs(b.values(1).position_actual + 5000) < 100);
+    CHECK(left.feedback().is_current);
+    CHECK_FALSE(left.feedback().is_limited);
+    CHECK_FALSE(b.outcome([&](auto done) { left.async_move_to(9, done); })); // to the limit
+    CHECK(left.feedback().is_limited);
+    CHECK(std::abs(left.feedback().position - 3) < 0.01);
+    CHECK_FALSE(b.outcome([&](auto done) { left.async_disable(done); }));
+    CHECK(left.feedback().state == axis_state::disabled);
+    CHECK(right.feedback().state == axis_state::enabled);
+    CHECK(b.outcome([&](auto done) { left.async_move_to(0, done); }) == cia402::axis_errc::not_enabled);
+}
+
+TEST_CASE("a drive follows targets of each cycle, and its objects are where it maps them") {
+    auto turned = radians();
+    turned.increments = -10'000;
+    auto drive_of_another_kind = cia402::drive_description<>;
+    drive_of_another_kind.outputs = jauscat::test::other_drive_outputs;
+    bench b{{drive_of_another_kind}};
+    auto wheel = b.at(0, turned);
+    std::atomic<bool> runs{};
+    b.bus->every_cycle([&runs, wheel] {
+        if (runs) static_cast<void>(wheel.run_at(2));
+    });
+    REQUIRE_FALSE(b.operate(wheel));
+    REQUIRE_FALSE(b.enable(wheel, csv));
+    CHECK(wheel.move_to(1) == cia402::axis_errc::wrong_mode);
+    CHECK(wheel.run_at(std::nan("")) == boost::system::errc::invalid_argument);
+    runs = true;
+    REQUIRE(b.until([&] { return std::abs(wheel.feedback().velocity - 2) < 0.1; }));
+    CHECK(b.values(0).velocity_actual < 0);
+    runs = false;
+    CHECK_FALSE(b.outcome([&](auto done) { wheel.async_run_at(0, done); }));
+    wheel.halt(true);
+    CHECK(wheel.feedback().state == axis_state::enabled);
+}
+
+TEST_CASE("a fault of a drive ends its operation with the drive's code, until it is reset") {
+    bench b;
+    auto left = b.at(0);
+    REQUIRE_FALSE(b.operate(left));
+    REQUIRE_FALSE(b.enable(left));
+    std::optional<error_code> ended;
+    left.async_move_to(3, [&](error_code why) { ended = why; });
+    b.ring.set_fault(0, over_current);
+    REQUIRE(b.until([&] { return ended.has_value(); }));
+    CHECK(*ended == cia402::axis_errc::drive_fault);
+    CHECK(ended->message() == "slave 0 (Emulated CiA 402 drive): drive fault: see its error code (603Fh): 2310h "
+                              "(continuous over current, device output side)");
+    CHECK(left.feedback().error.drive_code == over_current);
+    CHECK(b.enable(left) == cia402::axis_errc::has_failed);
+    b.ring.set_fault(0, 0);
+    CHECK_FALSE(b.outcome([&](auto done) { left.async_reset(done); }));
+    CHECK(left.feedback().state == axis_state::disabled);
+    REQUIRE_FALSE(b.enable(left));
+    CHECK_FALSE(b.outcome([&](auto done) { left.async_move_to(0.1, done); }));
+}
+
+TEST_CASE("the next operation replaces the one that waits, and a lost drive ends it") {
+    bench b;
+    auto left = b.at(0);
+    CHECK(b.enable(left) == bus_errc::needs_cycles);
+    REQUIRE_FALSE(b.operate(left));
+    REQUIRE_FALSE(b.enable(left));
+    std::optional<error_code> first, second;
+    left.async_move_to(3, [&](error_code why) { first = why; });
+    left.async_move_to(-3, [&](error_code why) { second = why; });
+    REQUIRE(b.until([&] { return first.has_value(); }));
+    CHECK(*first == asio::error::operation_aborted);
+    b.ring.with(0, [](auto& each) { each.slave.power_on(); });
+    REQUIRE(b.until([&] { return second.has_value(); }));
+    CHECK(*second == cia402::axis_errc::inputs_lost);
+    CHECK(b.enable(left) == bus_errc::needs_cycles);
+    // The bus brings it to PRE-OP again; the program decides the rest.
+    REQUIRE(b.until(
+        [&] { return b.ring.with(0, [](auto& each) { return each.slave.state(); }) == ethercat::al_state::pre_op; }));
+    REQUIRE_FALSE(b.operate(left));
+    CHECK(b.enable(left).failed()); // the drive has noticed it, too: 7500h
+    REQUIRE_FALSE(b.outcome([&](auto done) { left.async_reset(done); }));
+    REQUIRE_FALSE(b.enable(left));
+}
+
+TEST_CASE("a drive without an object that a mode needs is refused by name") {
+    static constexpr auto few = [] {
+        auto entries = cia402::drive_outputs<>;
+        entries[4].index = 0x2000; // in place of the target velocity
+        return entries;
+    }();
+    auto other = cia402::drive_description<>;
+    other.outputs = few;
+    bench b{{other}};
+    auto wheel = b.at(0);
+    REQUIRE_FALSE(b.operate(wheel));
+    const auto error = b.enable(wheel, csv);
+    CHECK(error == bus_errc::not_configurable);
+    CHECK(error.message() == "slave 0 (Emulated CiA 402 drive): its process data do not have 0x60FF (Target velocity), "
+                             "which mode 9 needs");
+    CHECK_FALSE(b.enable(wheel, csp));
+}
+
+TEST_CASE("the end of a bus brings its drives to rest by a quick stop") {
+    bench b{two, GENERATE(false, true)};
+    auto left = b.at(0), right = b.at(1);
+    REQUIRE_FALSE(b.operate(left));
+    REQUIRE_FALSE(b.operate(right));
+    REQUIRE_FALSE(b.enable(left, csv));
+    REQUIRE_FALSE(b.outcome([&](auto done) { left.async_run_at(5, done); }));
+    const auto before = b.values(0);
+    REQUIRE(before.velocity_actual > 40'000);
+    SECTION("by its end") { b.bus.reset(); }
+    SECTION("by stop") { b.bus->stop(); }
+    CHECK(std::abs(b.values(0).velocity_actual) <= 10);
+    CHECK(cia402::state_of(b.values(0).statusword) == cia402::state::switch_on_disabled);
+    CHECK(left.feedback().error.code == cia402::axis_errc::inputs_lost);
+}
+
+TEST_CASE("a function of each cycle that throws brings drives to rest by a quick stop") {
+    bench b;
+    auto left = b.at(0);
+    std::atomic<bool> throws{};
+    b.bus->every_cycle([&throws] {
+        if (throws) throw std::runtime_error{"no value"};
+    });
+    REQUIRE_FALSE(b.operate(left));
+    REQUIRE_FALSE(b.enable(left, csv));
+    REQUIRE_FALSE(b.outcome([&](auto done) { left.async_run_at(5, done); }));
+    throws = true;
+    REQUIRE(b.until([&] { return left.feedback().state == axis_state::disabled; }));
+    CHECK(std::abs(b.values(0).velocity_actual) <= 10);
+    const auto said =
+        std::ranges::count_if(b.lines, [](const auto& line) { return line.find("no value") != line.npos; });
+    CHECK(said == 1);
+}
+
+TEST_CASE("options of a drive out of range are refused") {
+    bench b;
+    const auto refused = [&](auto change) {
+        auto options = radians();
+        change(options);
+        CHECK_THROWS_AS(b.at(0, options), std::invalid_argument);
+    };
+    refused([](auto& o) { o.increments = 0; });
+    refused([](auto& o) { o.increments = std::numeric_limits<double>::infinity(); });
+    refused([](auto& o) { o.velocity_units = -1; });
+    refused([](auto& o) { o.torque_units = 0; });
+    refused([](auto& o) { o.max_velocity = 0; });
+    refused([](auto& o) { o.acceleration = -1; });
+    refused([](auto& o) { o.deceleration = -1; });
+    refused([](auto& o) { o.max_torque = -1; });
+    refused([](auto& o) { o.min_position = 4; });
+    refused([](auto& o) { o.axis = 8; });
+    refused([](auto& o) { o.operate.period = 333us; });
+}
