@@ -1,6 +1,8 @@
 # Installs the headers, a package for find_package(jauscat) and files for pkg-config: the targets jauscat::jauscat and
 # jauscat::text, and jauscat::esi, jauscat::net and jauscat::compiled where what they need is there
-# (find_package(jauscat COMPONENTS net) insists on it). All of it is in the component "development"; the tools, if they are built, are in the component "tools".
+# (find_package(jauscat COMPONENTS net) insists on it). All of it is in the component "development"; the tools, if they are
+# built, are in the component "tools". With JAUSCAT_INSTALL_COMPILED the component "compiled" has the libraries that users
+# compile otherwise; find_package takes them where they are.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/jauscat) # the same for every machine, so not beside libraries
 set(pc_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)
@@ -24,6 +26,18 @@ if(TARGET jauscat_net)
     install(FILES cmake/compiled.cmake DESTINATION ${package_dir})
 endif()
 
+set(compiled_pc_files)
+if(JAUSCAT_INSTALL_COMPILED)
+    foreach(library catalogue compiled)
+        if(TARGET jauscat_${library})
+            set_target_properties(jauscat_${library} PROPERTIES EXPORT_NAME ${library} EXCLUDE_FROM_ALL OFF)
+            install(TARGETS jauscat_${library} EXPORT jauscat-${library}-library COMPONENT compiled)
+            install(EXPORT jauscat-${library}-library NAMESPACE jauscat:: DESTINATION ${package_dir} COMPONENT compiled)
+            list(APPEND compiled_pc_files jauscat-${library}.pc)
+        endif()
+    endforeach()
+endif()
+
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/jauscat-config-version.cmake
     COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES cmake/jauscat-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/jauscat-config-version.cmake
@@ -41,6 +55,10 @@ endif()
 foreach(file IN LISTS pc_files)
     configure_file(cmake/${file}.in ${CMAKE_CURRENT_BINARY_DIR}/${file} @ONLY)
     install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${file} DESTINATION ${pc_dir})
+endforeach()
+foreach(file IN LISTS compiled_pc_files)
+    configure_file(cmake/${file}.in ${CMAKE_CURRENT_BINARY_DIR}/${file} @ONLY)
+    install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${file} DESTINATION ${pc_dir} COMPONENT compiled)
 endforeach()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

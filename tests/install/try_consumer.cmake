@@ -1,5 +1,6 @@
 # Builds the consumer beside the library in a new folder, WORK, and runs it. HOW is the way to the library:
 #   find_package, pkg_config         installed into a folder
+#   compiled_library                 installed with its compiled libraries
 #   add_subdirectory, fetch_content  the sources; their archive
 #   single_header                    what scripts/amalgamate writes
 function(run)
@@ -16,6 +17,8 @@ if(HOW STREQUAL fetch_content)
     set(programs net_consumer) # the rest is that of add_subdirectory
 elseif(HOW STREQUAL single_header)
     set(programs codec_consumer)
+elseif(HOW STREQUAL compiled_library)
+    set(programs catalogue_consumer compiled_consumer)
 endif()
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK}/build)
@@ -26,6 +29,11 @@ if(HOW STREQUAL find_package OR HOW STREQUAL pkg_config)
     if(HOW STREQUAL find_package)
         list(APPEND way -DJAUSCAT_BUILT=${COMPILED} -DJAUSCAT_BUILT_CATALOGUE=${CATALOGUE})
     endif()
+elseif(HOW STREQUAL compiled_library)
+    foreach(component development compiled)
+        run(${CMAKE_COMMAND} --install ${BUILD} --component ${component} --prefix ${WORK}/prefix)
+    endforeach()
+    set(way -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 elseif(HOW STREQUAL add_subdirectory)
     set(way -DJAUSCAT_SOURCE=${SOURCE})
 elseif(HOW STREQUAL fetch_content)
@@ -45,6 +53,15 @@ else()
     run(${CMAKE_COMMAND} -S ${consumer} -B . -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DJAUSCAT_HOW=${HOW} ${way})
     run(${CMAKE_COMMAND} --build . --target version_consumer ${programs})
     run(${WORK}/build/version_consumer)
+endif()
+if(HOW STREQUAL compiled_library)
+    # Nothing of the library is compiled, and pkg-config has it, too.
+    file(GLOB_RECURSE compiled ${WORK}/build/*jauscat_compiled*.o ${WORK}/build/*jauscat_catalogue*.o)
+    if(compiled)
+        message(FATAL_ERROR "The consumer compiles what is installed: ${compiled}")
+    endif()
+    set(ENV{PKG_CONFIG_PATH} ${WORK}/prefix/share/pkgconfig)
+    run(${consumer}/with_pkg_config.sh ${consumer} compiled)
 endif()
 if(HOW STREQUAL find_package)
     # Of the sources of jauscat::compiled and jauscat::catalogue the consumer compiles one each. All are installed as they
