@@ -250,7 +250,7 @@ TEST_CASE("a slave without outputs for the watchdog time goes to SAFE-OP with an
     CHECK(device.state() == al_state::op);
     device.on_time(instant{5150ms});
     CHECK(one.read(0x0130, 6).data == "14 00 00 00 1b 00");
-    CHECK(one.read(0x0440, 2).data == "00 00");
+    CHECK(one.read(0x0440, 4).data == "00 00 01 00"); // expired once
     CHECK(one.lwr(0, "05060708").working_counter == 1);
     CHECK(to_hex(device.outputs()) == "01 02 03 04");
     CHECK(one.state("0800") == "14 00 00 00 1b 00"); // not acknowledged
@@ -262,6 +262,9 @@ TEST_CASE("a slave without outputs for the watchdog time goes to SAFE-OP with an
     one.write(0x0420, "1400"); // 2 ms
     device.on_time(instant{9099ms + 1us});
     CHECK(device.state() == al_state::safe_op);
+    CHECK(one.read(0x0442, 1).data == "02");
+    CHECK(one.write(0x0443, "55").working_counter == 1); // clears both
+    CHECK(one.read(0x0442, 2).data == "00 00");
     one.write(0x0420, "0000"); // off
     CHECK(one.state("1800") == "08 00 00 00 00 00");
     device.on_time(instant{20s});

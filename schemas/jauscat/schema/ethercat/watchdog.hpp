@@ -16,6 +16,9 @@ inline constexpr esc_register_of<esc_word> pdi_watchdog{
 inline constexpr esc_register_of<esc_word> process_data_watchdog{
     {0x0420, 2}}; ///< time, in units by `watchdog_divider`; 0: off
 inline constexpr esc_register_of<esc_word> watchdog_status{{0x0440, 2}}; ///< bit 0: not expired
+/// How often the watchdogs have expired, at most 255: of the process data, and in the upper byte of the application. A
+/// write clears both.
+inline constexpr esc_register_of<esc_word> watchdog_counters{{0x0442, 2}};
 } // namespace esc_registers
 
 inline constexpr std::uint16_t default_watchdog_divider = 2498; ///< units of 100 us

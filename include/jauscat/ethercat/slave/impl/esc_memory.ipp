@@ -106,6 +106,7 @@ JAUSCAT_CONSTEXPR bool esc_memory::write(std::size_t address, std::span<const st
     };
     if (touches(esc_registers::al_control)) al_control_written_ = true;
     if (touches(esc_registers::sii_control)) start_sii(address, in);
+    if (touches(esc_registers::watchdog_counters)) store(esc_registers::watchdog_counters, {});
     if (has_clock() && touches(esc_registers::distributed_clock)) write_clock(address, in);
     for (std::size_t n = 0; n != sync_manager_count; ++n)
         if (touches(nth(esc_registers::sync_manager, n))) switch_off_if_disabled(n);

@@ -59,6 +59,9 @@ JAUSCAT_FUNCTION bool slave_process_data::expired(esc_memory& memory, time_point
     }
     if (outputs_.none || !manager.watchdog || time == time.zero() || now - last_ < time) return false;
     show_watchdog(memory, false);
+    auto counters = memory.load(esc_registers::watchdog_counters);
+    if ((counters.value & 0xFF) != 0xFF) ++counters.value;
+    memory.store(esc_registers::watchdog_counters, counters);
     return true;
 }
 
