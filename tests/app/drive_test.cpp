@@ -246,3 +246,58 @@ TEST_CASE("options of a drive out of range are refused") {
     refused([](auto& o) { o.axis = 8; });
     refused([](auto& o) { o.operate.period = 333us; });
 }
+
+namespace {
+
+/// A drive with two axes.
+struct emulated_pair {
+    cia402::emulated_drive<2> drive{};
+    ethercat::standard_objects objects{cia402::drive_description<2>, drive};
+    ethercat::slave slave{cia402::drive_description<2>, objects};
+
+    static bool has_clock() { return false; }
+    void work(std::span<std::byte>, time_point now) { on_time(now); }
+    void on_time(time_point now) {
+        slave.work();
+        slave.on_time(now);
+        drive.work(slave, now);
+    }
+};
+
+struct pair_bus : jauscat::test::basic_emulated_bus<emulated_pair> {
+    pair_bus() : basic_emulated_bus{[](auto& made) { made.emplace_back(); }} {}
+};
+
+} // namespace
+
+TEST_CASE("the axes of one drive are taken to OP together, and move on their own") {
+    pair_bus ring;
+    asio::io_context context;
+    jauscat::bus bus{
+        context, ring.where(), {.frame_timeout = jauscat::test::frame_timeout, .log = [](std::string_view line) {
+                                    UNSCOPED_INFO(line);
+                                }}};
+    const auto run = [&](auto start) {
+        std::optional<error_code> error;
+        start([&](error_code why) { error = why; });
+        REQUIRE(support::until(context, [&] { return error.has_value(); }));
+        return *error;
+    };
+    REQUIRE_FALSE(run([&](auto done) { bus.async_start(done); }));
+    auto options = radians();
+    drive first{bus.slave({.position = 0}), options};
+    options.axis = 1;
+    drive second{bus.slave({.position = 0}), options};
+    REQUIRE_FALSE(run([&](auto done) { first.async_operate(done); }));
+    REQUIRE_FALSE(run([&](auto done) { first.async_enable(csp, done); }));
+    REQUIRE_FALSE(run([&](auto done) { second.async_operate(done); }));
+    CHECK(first.feedback().state == axis_state::enabled); // the slave has stayed in OP
+    REQUIRE_FALSE(run([&](auto done) { second.async_enable(csp, done); }));
+    REQUIRE_FALSE(run([&](auto done) { second.async_move_to(0.5, done); }));
+    REQUIRE_FALSE(run([&](auto done) { first.async_operate(done); })); // it is
+    CHECK(first.feedback().state == axis_state::enabled);
+    CHECK(std::abs(second.feedback().position - 0.5) < 0.01);
+    CHECK(std::abs(first.feedback().position) < 0.01);
+    for (const std::size_t i : {0u, 1u})
+        CHECK(ring.with(0, [&](auto& each) { return each.drive.axes[i].values.interpolation_time; }) == 2);
+}

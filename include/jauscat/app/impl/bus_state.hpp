@@ -78,6 +78,8 @@ class cycle_user {
     virtual void begin_rest() = 0;
     [[nodiscard]] virtual bool is_at_rest() const = 0;
     [[nodiscard]] virtual bool uses(std::uint16_t station) const = 0;
+    /// Of its slave, with their places.
+    [[nodiscard]] virtual std::span<const ethercat::process_object> objects() const = 0;
     virtual void bus_ends() = 0;
 };
 
@@ -196,7 +198,8 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     static constexpr std::size_t max_object_size = 65536;
     static constexpr std::size_t max_slaves = 256;
     static constexpr std::size_t max_process_data = 32768;
-    static constexpr std::uint16_t first_station = 1001; ///< JAUS nodes are up to 254
+    static constexpr duration longest_rest = std::chrono::milliseconds{700}; ///< Ctrl-C ends a program within a second
+    static constexpr std::uint16_t first_station = 1001;                     ///< JAUS nodes are up to 254
 
     bus_state(boost::asio::io_context& context, std::string_view where, bus_options options);
     ~bus_state();
@@ -219,6 +222,8 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     [[nodiscard]] bus_statistics statistics() const;
     /// The same, of the slave with this station address. Under the lock.
     [[nodiscard]] std::optional<bridging::slave_data> data_at(std::uint16_t station) const;
+    /// Of one that works with the slave in each cycle; empty: there is none. Under the lock.
+    [[nodiscard]] std::span<const ethercat::process_object> objects_of(std::uint16_t station) const;
     /// The last cycle has brought the inputs. Under the lock.
     [[nodiscard]] bool is_current(const bridging::slave_data& data) const;
     /// Works in each cycle from now on, until the bus stops.
@@ -242,10 +247,10 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     /// Serves the slave of the user's front from now on; empty, or why not.
     [[nodiscard]] std::string join(bus_user& user);
     void leave(const bus_user& user) noexcept;
-    /// Waits for at most 0.4 s until those that work in each cycle are at rest.
-    void bring_cycle_users_to_rest();
-    /// Shuts the components down. Waits for at most 0.7 s until their slaves have confirmed that they are at rest.
-    void bring_to_rest(std::span<bus_user* const> users);
+    /// Waits for at most `longest` until those that work in each cycle are at rest.
+    void bring_cycle_users_to_rest(duration longest);
+    /// Shuts the components down. Waits for at most `longest` until their slaves have confirmed that they are at rest.
+    void bring_to_rest(std::span<bus_user* const> users, duration longest = longest_rest);
     void note_served(bus_user& user, const ethercat::slave_record& record);
     void note_served_lost(bus_user& user, error_code why);
     void note_clocks(ethercat::clock_agreement how, std::uint32_t difference);

@@ -365,11 +365,12 @@ JAUSCAT_DECL void bus_state::stop() noexcept {
         });
         for (auto* const user : users_) user->was_up = user->front().up();
         auto kept = std::exchange(on_cycle, nullptr); // what it refers to may be gone; nothing moves from now on
+        const auto begun = net::now();
         attempt([&] {
-            if (ring_) bring_cycle_users_to_rest();
+            if (ring_) bring_cycle_users_to_rest(longest_rest * 4 / 7);
         });
         attempt([&] {
-            if (ring_) bring_to_rest(users_);
+            if (ring_) bring_to_rest(users_, longest_rest - std::min(net::now() - begun, longest_rest * 4 / 7));
         });
         attempt([&] {
             for (const auto& each : std::exchange(cycle_users_, {})) each->bus_ends();

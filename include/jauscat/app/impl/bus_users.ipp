@@ -104,14 +104,12 @@ JAUSCAT_DECL bool bus_user::awaits_rest() const {
     return front().up() &&
            std::ranges::any_of(front().components(), [](const auto* unit) { return unit->stops().stop_is_pending(); });
 }
-JAUSCAT_DECL void bus_state::bring_to_rest(std::span<bus_user* const> users) {
+JAUSCAT_DECL void bus_state::bring_to_rest(std::span<bus_user* const> users, duration longest) {
     const auto locked = lock();
-    constexpr duration longest = std::chrono::milliseconds{700}; // Ctrl-C ends a program within a second
     for (auto* const user : users) user->begin_rest(net::now(), output_);
     drive([&] { return std::ranges::none_of(users, &bus_user::awaits_rest); }, longest);
 }
-JAUSCAT_DECL void bus_state::bring_cycle_users_to_rest() {
-    constexpr duration longest = std::chrono::milliseconds{400};
+JAUSCAT_DECL void bus_state::bring_cycle_users_to_rest(duration longest) {
     for (const auto& each : cycle_users_) each->begin_rest();
     drive([&] { return std::ranges::all_of(cycle_users_, [](const auto& each) { return each->is_at_rest(); }); },
           longest);
@@ -325,6 +323,10 @@ JAUSCAT_DECL std::optional<bridging::slave_data> bus_state::data_of(const slave_
 JAUSCAT_DECL std::optional<bridging::slave_data> bus_state::data_at(std::uint16_t station) const {
     const auto found = std::ranges::find(operated_, station, &operated_slave::station);
     return found == operated_.end() ? std::nullopt : (*found)->data();
+}
+JAUSCAT_DECL std::span<const ethercat::process_object> bus_state::objects_of(std::uint16_t station) const {
+    const auto found = std::ranges::find_if(cycle_users_, [=](const auto& each) { return each->uses(station); });
+    return found == cycle_users_.end() ? std::span<const ethercat::process_object>{} : (*found)->objects();
 }
 JAUSCAT_DECL bool bus_state::is_current(const bridging::slave_data& data) const {
     const auto begun = ring_ ? ring_->cycle_begun() : std::nullopt;

@@ -133,53 +133,72 @@ template <class F> auto drive_state::later(const operation_ptr<>& done, F next) 
 JAUSCAT_DECL void drive_state::operate(const operation_ptr<>& done) {
     {
         const auto locked = lock();
+        boost::system::error_code error;
+        const auto station = slave_.info(error).station;
+        const bool is_in_op = !error && slave_.bus()->data_at(station);
+        if (is_in_op && uses(station)) return done->complete({});
+        // A drive with several axes: another of them has taken it to OP.
+        const auto known = is_in_op ? slave_.bus()->objects_of(station) : std::span<const ethercat::process_object>{};
+        if (known.size() == objects_.size()) {
+            std::ranges::copy(known, objects_.begin());
+            operating();
+            return done->complete({});
+        }
         is_operating_ = false;
         finish(boost::asio::error::operation_aborted);
     }
-    slave_.async_change(ethercat::al_state::pre_op, later(done, [this, done] { write_cycle_time(1, done); }));
+    slave_.async_change(ethercat::al_state::pre_op, later(done, [this, done] { write_cycle_time({}, done); }));
 }
+
 namespace detail {
 
-/// The slave has no such object, and so no other period than its own.
+/// The slave has no such object: no other period than its own, or no such axis.
 inline bool is_absent(error_code error) {
     return error == ethercat::abort_code::no_object || error == ethercat::abort_code::no_subindex;
+}
+inline std::uint8_t value_of(const cia402::interpolation_period& period, std::uint8_t subindex) noexcept {
+    return subindex == 1 ? period.value : static_cast<std::uint8_t>(period.index);
 }
 
 } // namespace detail
 
-JAUSCAT_DECL void drive_state::write_cycle_time(std::uint8_t subindex, const operation_ptr<>& done) {
-    const auto period = *cia402::interpolation_period_of(options_.operate.period); // the constructor has looked
-    const auto index = cia402::objects::interpolation_time.index_of(options_.axis);
-    const auto value = subindex == 1 ? period.value : static_cast<std::uint8_t>(period.index);
-    if (subindex > 2) {
-        find_objects();
-        auto how = options_.operate;
-        how.objects = objects_;
-        return slave_.async_operate(how, later(done, [this, done] {
-                                        operating();
-                                        done->complete({});
-                                    }));
-    }
-    slave_.async_read<std::uint8_t>(
-        index, subindex, later(done, [=, this](error_code error, std::uint8_t is) {
-            if (detail::is_absent(error) || (!error && is == value))
-                return write_cycle_time(static_cast<std::uint8_t>(subindex + 1), done);
-            if (error) return done->complete(error);
-            slave_.async_write(index, subindex, value, later(done, [=, this] { verify_cycle_time(subindex, done); }));
-        }));
+JAUSCAT_DECL drive_state::cycle_time drive_state::after(const cycle_time& which) noexcept {
+    if (which.subindex == 1) return {.axis = which.axis, .subindex = 2};
+    return {.axis = which.axis + 1};
 }
-JAUSCAT_DECL void drive_state::verify_cycle_time(std::uint8_t subindex, const operation_ptr<>& done) {
-    const auto period = *cia402::interpolation_period_of(options_.operate.period);
-    const auto index = cia402::objects::interpolation_time.index_of(options_.axis);
-    const auto value = subindex == 1 ? period.value : static_cast<std::uint8_t>(period.index);
+JAUSCAT_DECL void drive_state::write_cycle_time(cycle_time which, const operation_ptr<>& done) {
+    if (which.axis == cia402::max_axes) return come_to_op(done);
+    const auto index = cia402::objects::interpolation_time.index_of(which.axis);
+    const auto value = detail::value_of(*cia402::interpolation_period_of(options_.operate.period), which.subindex);
+    slave_.async_read<std::uint8_t>(index, which.subindex, later(done, [=, this](error_code error, std::uint8_t is) {
+                                        if (detail::is_absent(error)) return come_to_op(done);
+                                        if (error) return done->complete(error);
+                                        if (is == value) return write_cycle_time(after(which), done);
+                                        slave_.async_write(index, which.subindex, value,
+                                                           later(done, [=, this] { verify_cycle_time(which, done); }));
+                                    }));
+}
+JAUSCAT_DECL void drive_state::verify_cycle_time(cycle_time which, const operation_ptr<>& done) {
+    const auto index = cia402::objects::interpolation_time.index_of(which.axis);
+    const auto value = detail::value_of(*cia402::interpolation_period_of(options_.operate.period), which.subindex);
     slave_.async_read<std::uint8_t>(
-        index, subindex, later(done, [=, this](std::uint8_t is) {
-            if (is == value) return write_cycle_time(static_cast<std::uint8_t>(subindex + 1), done);
+        index, which.subindex, later(done, [=, this](std::uint8_t is) {
+            if (is == value) return write_cycle_time(after(which), done);
             done->complete(explained(bus_errc::not_configurable,
-                                     name() + ": " + text::hex_number(index, 4) + ":" + std::to_string(subindex) +
+                                     name() + ": " + text::hex_number(index, 4) + ":" + std::to_string(which.subindex) +
                                          " does not keep the period of the cycles: " + std::to_string(value) +
                                          " was written, " + std::to_string(is) + " is read"));
         }));
+}
+JAUSCAT_DECL void drive_state::come_to_op(const operation_ptr<>& done) {
+    find_objects();
+    auto how = options_.operate;
+    how.objects = objects_;
+    slave_.async_operate(how, later(done, [this, done] {
+                             const auto locked = lock();
+                             operating();
+                             done->complete({});
+                         }));
 }
 JAUSCAT_DECL void drive_state::find_objects() {
     namespace o = cia402::objects;
@@ -188,13 +207,13 @@ JAUSCAT_DECL void drive_state::find_objects() {
                                                            &o::target_torque,   &o::profile_velocity};
     constexpr std::array<const cia402::object*, 6> inputs{&o::statusword,      &o::mode_display,  &o::position_actual,
                                                           &o::velocity_actual, &o::torque_actual, &o::error_code};
-    const auto wanted = [this](const cia402::object* each, bool is_output) {
-        return ethercat::process_object{
-            .index = each->index_of(options_.axis), .subindex = each->subindex, .is_output = is_output};
+    std::size_t count = 0;
+    const auto want = [&](const cia402::object& each, std::size_t axis, bool is_output) {
+        objects_[count++] = {.index = each.index_of(axis), .subindex = each.subindex, .is_output = is_output};
     };
-    for (std::size_t i = 0; i != outputs.size(); ++i) {
-        objects_[i] = wanted(outputs[i], true);
-        objects_[outputs.size() + i] = wanted(inputs[i], false);
+    for (std::size_t axis = 0; axis != cia402::max_axes; ++axis) {
+        for (const auto* const each : outputs) want(*each, axis, true);
+        for (const auto* const each : inputs) want(*each, axis, false);
     }
 }
 /// The slave is in OP, and its objects have their places.
@@ -212,7 +231,6 @@ JAUSCAT_DECL void drive_state::operating() {
                 .first_bit = found->first_bit, .bits = found->bits, .subindex = found->subindex, .index = found->index};
         }
     };
-    const auto locked = lock();
     places_ = cia402::places_of(found_objects{objects_, true}, found_objects{objects_, false}, options_.axis);
     axis_ = cia402::axis{axis_.options()};
     boost::system::error_code error;

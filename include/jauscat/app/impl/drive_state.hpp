@@ -38,7 +38,8 @@ class drive_state final : public cycle_user, public std::enable_shared_from_this
     void on_cycle(time_point now) override;
     void begin_rest() override;
     [[nodiscard]] bool is_at_rest() const override;
-    [[nodiscard]] bool uses(std::uint16_t station) const override { return station_ == station; }
+    [[nodiscard]] bool uses(std::uint16_t station) const override { return is_operating_ && station_ == station; }
+    [[nodiscard]] std::span<const ethercat::process_object> objects() const override { return objects_; }
     void bus_ends() override;
 
   private:
@@ -51,9 +52,15 @@ class drive_state final : public cycle_user, public std::enable_shared_from_this
     void settle();
     void find_objects();
     void operating();
-    /// 60C2h, the subindices from `subindex` on.
-    void write_cycle_time(std::uint8_t subindex, const operation_ptr<>& done);
-    void verify_cycle_time(std::uint8_t subindex, const operation_ptr<>& done);
+    /// 60C2h of all axes that the slave has, from this subindex of this axis on.
+    struct cycle_time {
+        std::size_t axis{};
+        std::uint8_t subindex{1};
+    };
+    [[nodiscard]] static cycle_time after(const cycle_time& which) noexcept;
+    void write_cycle_time(cycle_time which, const operation_ptr<>& done);
+    void verify_cycle_time(cycle_time which, const operation_ptr<>& done);
+    void come_to_op(const operation_ptr<>& done);
     void enable_in_mode(const operation_ptr<>& done, cia402::mode mode);
     template <class F> auto later(const operation_ptr<>& done, F next);
 
@@ -61,7 +68,8 @@ class drive_state final : public cycle_user, public std::enable_shared_from_this
     drive_options options_;
     double velocity_units_;
     cia402::axis axis_;
-    std::array<ethercat::process_object, cia402::axis_places::capacity> objects_{};
+    /// Of all axes that the slave may have: one of its drives takes it to OP for all.
+    std::array<ethercat::process_object, cia402::max_axes * cia402::axis_places::capacity> objects_{};
     cia402::axis_places places_{};
     operation_ptr<> done_{}; ///< waits for `wish_`
     wish wish_{};
