@@ -584,6 +584,31 @@ TEST_CASE("a component in front of several slaves drives each, and rests when on
     b.run(20ms);
 }
 
+TEST_CASE("a bridge takes a slave over that is in OP since an earlier life of its program") {
+    bench b;
+    asio::io_context earlier;
+    std::optional<jauscat::bus> life{
+        std::in_place, earlier, b.ring.where(),
+        jauscat::bus_options{.frame_timeout = jauscat::test::frame_timeout, .log = no_log}};
+    const auto run = [&](auto start) {
+        std::optional<error_code> error;
+        start([&](error_code why) { error = why; });
+        REQUIRE(support::until(earlier, [&] { return error.has_value(); }));
+        REQUIRE_FALSE(*error);
+    };
+    run([&](auto done) { life->async_start(done); });
+    run([&](auto done) { life->slave({.position = 0}).async_operate({.period = 10ms, .watchdog = 6s}, done); });
+    // It sends nothing any more. The application's own start is refused, a bridge's is not.
+    std::optional<error_code> refused;
+    b.bus->async_start([&](error_code why) { refused = why; });
+    REQUIRE(b.until([&] { return refused.has_value(); }));
+    CHECK(*refused == bus_errc::in_use);
+    b.serve({.alias = 102});
+    b.start();
+    REQUIRE(b.drive(40));
+    CHECK_FALSE(b.has_line("is not found"));
+}
+
 TEST_CASE("a named slave is served wherever it is, and never another one in its place") {
     const auto period = GENERATE(0ms, 10ms);
     enum class loss { reset, state, cable };

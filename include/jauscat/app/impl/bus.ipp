@@ -46,7 +46,9 @@ JAUSCAT_DECL void bus::when_emergency(std::function<void(const slave_info&, cons
     state_->on_emergency = std::move(f);
 }
 JAUSCAT_DECL boost::asio::io_context& bus::context() const noexcept { return state_->context(); }
-JAUSCAT_DECL void bus::start(app::operation_ptr<> done) { state_->start(std::move(done)); }
+JAUSCAT_DECL void bus::start(app::operation_ptr<> done) {
+    state_->start(std::move(done), state_->options().takes_over);
+}
 
 } // namespace JAUSCAT_WAY
 } // namespace jauscat

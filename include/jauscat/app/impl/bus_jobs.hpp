@@ -21,10 +21,11 @@ enum class find_scope : std::uint8_t {
     all,
 };
 
-/// Finds all slaves.
-[[nodiscard]] JAUSCAT_DECL std::unique_ptr<bus_job> make_start_job(operation_ptr<> done);
-/// Finds the slaves of a bus whose options name them.
-[[nodiscard]] JAUSCAT_DECL std::unique_ptr<bus_job> make_find_job(find_scope what, operation_ptr<> done);
+/// Finds all slaves, also where one is in OP if it `takes_over`.
+[[nodiscard]] JAUSCAT_DECL std::unique_ptr<bus_job> make_start_job(operation_ptr<> done, bool takes_over);
+/// Finds the slaves of a bus whose options name them; `takes_over` counts where it clears them.
+[[nodiscard]] JAUSCAT_DECL std::unique_ptr<bus_job> make_find_job(find_scope what, operation_ptr<> done,
+                                                                  bool takes_over = true);
 /// Looks at the state of a slave, collects its emergencies, and brings it up again after it was reset.
 [[nodiscard]] JAUSCAT_DECL std::unique_ptr<bus_job> make_look_job(std::uint16_t station);
 /// Takes a slave to a state, and configures its process data before SAFE-OP.

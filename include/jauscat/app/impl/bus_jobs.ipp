@@ -19,9 +19,11 @@ namespace app {
 /// Looks whether a slave is in OP, before the slaves are reset.
 class occupancy_look {
   public:
+    explicit occupancy_look(bool takes_over) noexcept : is_done_{takes_over} {}
+
     /// False: there is nothing to look at any more.
     [[nodiscard]] bool begin(const bus_state& bus, ethercat::master& master) {
-        if (is_done_ || bus.options().takes_over || bus.was_started()) return false;
+        if (is_done_ || bus.was_started()) return false;
         return master
             .start(ethercat::exchange_datagram{ethercat::command::brd, 0, ethercat::esc_registers::al_status.address,
                                                states_})
@@ -29,7 +31,7 @@ class occupancy_look {
     }
     /// Whether this was its job.
     [[nodiscard]] bool ends(const bus_state& bus, const ethercat::master& master) {
-        if (is_done_ || bus.options().takes_over || bus.was_started()) return false;
+        if (is_done_ || bus.was_started()) return false;
         is_done_ = true;
         const auto seen = master.result<ethercat::exchange_datagram>().value_or(0);
         constexpr auto op = static_cast<unsigned>(ethercat::al_state::op); // a bit; the states of all are or-ed
@@ -40,7 +42,7 @@ class occupancy_look {
 
   private:
     std::array<std::byte, wire::max_size<ethercat::al_status>> states_{};
-    bool is_done_{}, is_occupied_{};
+    bool is_done_, is_occupied_{};
 };
 
 /// Slaves that are to be brought up at once.
@@ -151,7 +153,7 @@ class slave_identification {
 /// Finds all slaves.
 class start_job final : public bus_job {
   public:
-    explicit start_job(operation_ptr<> done) : done_{std::move(done)} {}
+    start_job(operation_ptr<> done, bool takes_over) : done_{std::move(done)}, look_{takes_over} {}
 
     bool begin(bus_state& bus, ethercat::master& master) override {
         is_serving_ = bus.is_serving() && bus.ring().is_cleared(); // a scan would reset its slaves
@@ -219,7 +221,7 @@ class start_job final : public bus_job {
     }
 
     operation_ptr<> done_;
-    occupancy_look look_{};
+    occupancy_look look_;
     bool is_serving_{}, is_counted_{}, is_brought_up_{};
     std::array<std::byte, 1> type_{};
     std::uint16_t count_{};
@@ -232,7 +234,8 @@ class start_job final : public bus_job {
 /// Finds the slaves of a bus whose options name them: those that have come, gone or moved, or all.
 class find_job final : public bus_job {
   public:
-    find_job(find_scope what, operation_ptr<> done) : what_{what}, done_{std::move(done)} {}
+    find_job(find_scope what, operation_ptr<> done, bool takes_over)
+        : look_{takes_over}, what_{what}, done_{std::move(done)} {}
 
     bool begin(bus_state& bus, ethercat::master& master) override {
         for (;;) switch (step_) {
@@ -241,7 +244,7 @@ class find_job final : public bus_job {
                 step_ = step::locate;
                 if (what_ == find_scope::changes || (bus.is_serving() && bus.ring().is_cleared())) break;
                 step_ = step::clear; // a scan would reset slaves that work
-                if (what_ == find_scope::all && look_.begin(bus, master)) return true;
+                if (look_.begin(bus, master)) return true;
                 return master.start(ethercat::scan{}).has_value();
             case step::locate: return master.start(ethercat::locate_slaves{unknown_}).has_value();
             case step::bring_up:
@@ -300,7 +303,7 @@ class find_job final : public bus_job {
         switch (step_) {
         case step::clear:
             if (error) return fail(error);
-            if (what_ == find_scope::all && look_.ends(bus, master)) {
+            if (look_.ends(bus, master)) {
                 if (look_.is_occupied()) fail(bus_errc::in_use);
                 return;
             }
@@ -363,7 +366,7 @@ class find_job final : public bus_job {
         bus.note_prepared(*slave, what_ != find_scope::changes);
     }
 
-    occupancy_look look_{};
+    occupancy_look look_;
     find_scope what_;
     operation_ptr<> done_;
     step step_{};
@@ -659,11 +662,11 @@ inline std::unique_ptr<bus_job> change_job(state_request request, ethercat::al_s
     return std::make_unique<state_job>(std::move(request), goal);
 }
 
-JAUSCAT_DECL std::unique_ptr<bus_job> make_start_job(operation_ptr<> done) {
-    return std::make_unique<start_job>(std::move(done));
+JAUSCAT_DECL std::unique_ptr<bus_job> make_start_job(operation_ptr<> done, bool takes_over) {
+    return std::make_unique<start_job>(std::move(done), takes_over);
 }
-JAUSCAT_DECL std::unique_ptr<bus_job> make_find_job(find_scope what, operation_ptr<> done) {
-    return std::make_unique<find_job>(what, std::move(done));
+JAUSCAT_DECL std::unique_ptr<bus_job> make_find_job(find_scope what, operation_ptr<> done, bool takes_over) {
+    return std::make_unique<find_job>(what, std::move(done), takes_over);
 }
 JAUSCAT_DECL std::unique_ptr<bus_job> make_look_job(std::uint16_t station) {
     return std::make_unique<look_job>(station);
@@ -686,9 +689,9 @@ void bus_state::ask(const slave_choice& which, operation_ptr<Results...> done, M
     add(std::make_unique<job>(which, std::move(done), std::move(make), std::move(take), type), options_.timeout);
 }
 
-JAUSCAT_DECL void bus_state::start(operation_ptr<> done) {
-    if (named_.empty()) return add(make_start_job(std::move(done)), options_.start_timeout);
-    add(make_find_job(find_scope::all, std::move(done)), options_.start_timeout);
+JAUSCAT_DECL void bus_state::start(operation_ptr<> done, bool takes_over) {
+    if (named_.empty()) return add(make_start_job(std::move(done), takes_over), options_.start_timeout);
+    add(make_find_job(find_scope::all, std::move(done), takes_over), options_.start_timeout);
 }
 JAUSCAT_DECL void bus_state::start_once(operation_ptr<> done) {
     add(make_find_job(find_scope::once, std::move(done)), options_.start_timeout);

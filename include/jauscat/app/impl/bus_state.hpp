@@ -204,7 +204,9 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     bus_state(boost::asio::io_context& context, std::string_view where, bus_options options);
     ~bus_state();
 
-    void start(operation_ptr<> done);
+    /// Also where a slave is in OP if it `takes_over`, as a bridge does: its slaves may be there since an earlier life
+    /// of the program.
+    void start(operation_ptr<> done, bool takes_over);
     void read(const slave_choice& which, std::uint16_t index, std::uint8_t subindex, const object_type& type,
               operation_ptr<object_bytes> done);
     void write(const slave_choice& which, std::uint16_t index, std::uint8_t subindex, object_bytes value,

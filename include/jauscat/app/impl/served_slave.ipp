@@ -159,7 +159,7 @@ JAUSCAT_DECL void served_slave::find() {
     if (is_by_position) return found(*which_.position, expected);
     error_code error;
     if (bridge_.bus()->find(which_, error) != nullptr) return retry();
-    bridge_.bus()->start(std::make_shared<search>(*this));
+    bridge_.bus()->start(std::make_shared<search>(*this), true);
 }
 /// The slaves of the bus are known, or not.
 JAUSCAT_DECL void served_slave::retry() {
