@@ -8,6 +8,7 @@
 #include <jauscat/esi/emulated_device.hpp>
 #include <jauscat/esi/make_device.hpp>
 #include <jauscat/esi/read_esi.hpp>
+#include <jauscat/esi/text_values.hpp>
 #include <jauscat/esi/write_esi.hpp>
 
 #include <algorithm>
@@ -38,10 +39,16 @@ Examples:
                                                         may be repeated for several components
   jauscat-esi --index-base 0x2000 --output arm.xml      objects in the manufacturer's area
   jauscat-esi --from arm.xml --sii arm.bin              the SII of the slave that a file describes
-  jauscat-esi --check arm.xml                           lists the requirements of configuration tools, met or not
+  jauscat-esi --list terminals.xml                      the devices and modules of a file
+  jauscat-esi --list terminals.xml --product 0x3EA3052  what one of them has: SyncManagers, PDOs, slots, slips of the file
+  jauscat-esi --check arm.xml                           what the schema demands, the standard advises and the emulated
+                                                        device needs: there or not, with the line
 
-Exit code: 0 on success, with --check if nothing is missing; 1 if a file cannot be read or written, or something is
-missing; 2 for a wrong command line.
+Of a file with several devices --check looks at all; for --from and --list --product, --revision and --device choose one. Where no device has the revision, it is
+the newest below it, as a configuration tool does.
+
+Exit code: 0 on success, with --check if the file has all that the schema demands; 1 if it has not, or if a file cannot be
+read or written; 2 for a wrong command line.
 )";
 
 /// What a translation table makes of a component and of a message.
@@ -140,21 +147,41 @@ class component_objects {
     std::vector<bridging::object_description> objects_{};
 };
 
+std::string padded(std::string text, std::size_t width) {
+    text.resize(std::max(width, text.size()), ' ');
+    return text;
+}
+
 int check(const std::string& file) {
     const auto checked = esi::check_esi(file);
     if (!checked) throw std::runtime_error{checked.error().message};
-    const auto& findings = *checked;
-    std::size_t missing = 0;
-    for (const auto& each : findings) {
-        std::cout << (each.met() ? example::good("ok     ") : example::bad("MISSING")) << "  " << each.what << "  ("
-                  << each.reason << ")\n";
-        if (each.met()) continue;
-        ++missing;
-        std::cout << "         " << example::bad(each.problem) << "\n";
+    struct group {
+        esi::demand by;
+        const char* title;
+        const char* missing;
+    };
+    bool fits_schema = true;
+    for (const auto& [by, title, missing_text] :
+         {group{esi::demand::schema, "the schema demands", "MISSING"},
+          group{esi::demand::standard, "the standard advises", "without"},
+          group{esi::demand::emulation, "the emulated device needs", "without"}}) {
+        std::cout << title << ":\n";
+        std::size_t all = 0, missing = 0;
+        for (const auto& each : *checked) {
+            if (each.by != by) continue;
+            ++all;
+            const auto label = padded(each.met() ? "ok" : missing_text, 7);
+            std::cout << "  " << (each.met() ? example::good(label) : example::bad(label)) << "  " << each.what << "  ("
+                      << each.reason << ")\n";
+            if (each.met()) continue;
+            ++missing;
+            std::cout << "           " << example::bad(each.problem) << "\n";
+        }
+        if (by == esi::demand::schema) fits_schema = missing == 0;
+        std::cout << "  " << all - missing << " of " << all << " are there\n";
     }
-    std::cout << file << ": " << findings.size() - missing << " of " << findings.size()
-              << " things that configuration tools require are there\n";
-    return missing == 0 ? example::success : example::failure;
+    std::cout << file << (fits_schema ? " has" : " does not have") << " what the schema demands\n";
+    return fits_schema ? example::success : example::failure;
 }
 
 /// The device that the command line describes.
@@ -173,14 +200,113 @@ esi::device described(const boost::program_options::variables_map& values) {
         objects.all(), true);
 }
 
+esi::device_choice choice_of(const boost::program_options::variables_map& values) {
+    const auto number = [&](const char* name) -> std::optional<std::uint32_t> {
+        if (values.count(name) == 0) return std::nullopt;
+        const auto& text = values[name].as<std::string>();
+        if (const auto read = esi::parse_number_liberally(text)) return read;
+        throw example::usage_error{std::string{"--"} + name + " must be a number such as 26 or 0x1A, not '" + text +
+                                   "'"};
+    };
+    return {.product = number("product"), .revision = number("revision"), .number = number("device")};
+}
+bool is_chosen(const boost::program_options::variables_map& values) {
+    return values.count("product") + values.count("revision") + values.count("device") != 0;
+}
+
+template <class T> T or_throw(jauscat::result<T, esi::error> read) {
+    if (!read) throw std::runtime_error{read.error().message};
+    return *std::move(read);
+}
+
 /// The device of a file.
 esi::device read(const boost::program_options::variables_map& values) {
     for (const auto* const other : {"component", "mailbox-size", "table", "index-base", "fixed-length"})
         if (!values[other].defaulted())
             throw example::usage_error{std::string{"--from and --"} + other + " exclude each other"};
-    const auto device = esi::read_esi(values["from"].as<std::string>());
-    if (!device) throw std::runtime_error{device.error().message};
-    return *device;
+    return or_throw(esi::read_esi(values["from"].as<std::string>(), choice_of(values)));
+}
+
+std::string hex(std::uint32_t value, std::size_t digits) { return "0x" + esi::hex_number(value, digits).substr(2); }
+
+void print_pdos(const std::vector<esi::pdo>& pdos, const char* direction) {
+    for (const auto& each : pdos) {
+        std::cout << direction << " " << hex(each.index, 4) << " \"" << each.name << "\", "
+                  << (each.sync_manager == esi::not_assigned ? std::string{"not assigned"}
+                                                             : "SyncManager " + std::to_string(each.sync_manager))
+                  << (each.fixed ? ", fixed" : "") << (each.mandatory ? ", mandatory" : "") << '\n';
+        for (const auto& entry : each.entries)
+            std::cout << "  " << padded(std::to_string(entry.bits) + " bits", 10)
+                      << (entry.index == 0 ? "gap"
+                                           : hex(entry.index, 4) + ':' + std::to_string(entry.subindex) + "  " +
+                                                 padded(entry.type, 8) + "  " + entry.name)
+                      << '\n';
+    }
+}
+
+/// The line where the file has a slip, and why it costs something.
+void print_slips(const std::vector<esi::error>& slips) {
+    for (const auto& each : slips) std::cout << example::bad("left out: " + each.message) << '\n';
+}
+
+void print_device(const esi::device& device) {
+    std::cout << device.type << " \"" << device.name << "\" of \"" << device.vendor_name << "\", vendor "
+              << hex(device.vendor_id, 8) << ", product " << hex(device.product_code, 8) << ", revision "
+              << hex(device.revision, 8) << '\n';
+    std::string protocols = device.has_coe ? "CoE" : "";
+    for (const auto& each : device.protocols) protocols += (protocols.empty() ? "" : ", ") + each;
+    std::cout << "mailbox: " << (protocols.empty() ? "none" : protocols) << '\n';
+    for (std::size_t i = 0; i != device.sync_managers.size(); ++i) {
+        const auto& each = device.sync_managers[i];
+        const auto* const use =
+            std::ranges::find(esi::sync_manager_uses, each.use, [](const auto& known) { return known.first; });
+        std::cout << "SyncManager " << i << ": "
+                  << (use == esi::sync_manager_uses.end() ? std::string_view{"no use"} : use->second) << ", start "
+                  << hex(each.start, 4) << ", " << each.default_size << " bytes, control " << hex(each.control, 2)
+                  << '\n';
+    }
+    print_pdos(device.rx_pdos, "outputs");
+    print_pdos(device.tx_pdos, "inputs");
+    for (const auto& each : device.clock_modes)
+        std::cout << "clock mode \"" << each.name << "\": AssignActivate " << hex(each.assign_activate, 4) << '\n';
+    for (const auto& each : device.start_up) {
+        std::cout << "start-up object " << hex(each.index, 4) << ':' << int{each.subindex} << " = "
+                  << esi::hex_bytes(each.data);
+        for (const auto& transition : each.transitions) std::cout << ' ' << transition;
+        std::cout << (each.comment.empty() ? "" : "  " + each.comment) << '\n';
+    }
+    for (const auto& each : device.slots) {
+        std::cout << "slot \"" << each.name << "\", " << each.min_instances << " to " << each.max_instances << ":";
+        for (const auto ident : each.module_idents) std::cout << ' ' << hex(ident, 8);
+        for (const auto& name : each.module_classes) std::cout << ' ' << name;
+        std::cout << '\n';
+    }
+    std::cout << device.objects.size() << " objects\n";
+    print_slips(device.slips);
+}
+
+int list(const boost::program_options::variables_map& values) {
+    const auto& path = values["list"].as<std::string>();
+    const auto file = or_throw(esi::esi_file::open(path));
+    if (is_chosen(values)) {
+        print_device(or_throw(file.read(choice_of(values))));
+        return example::success;
+    }
+    std::size_t number = 0, width = 4;
+    for (const auto& each : file.devices()) width = std::max(width, each.type.size());
+    if (!file.devices().empty()) std::cout << "device  product     revision    " << padded("type", width) << "  name\n";
+    for (const auto& each : file.devices())
+        std::cout << padded(std::to_string(number++), 6) << "  " << hex(each.product_code, 8) << "  "
+                  << hex(each.revision, 8) << "  " << padded(each.type, width) << "  " << each.name << '\n';
+    const auto modules = or_throw(file.modules());
+    for (const auto& each : modules) {
+        std::cout << "module  " << hex(each.ident, 8) << "  " << padded(each.module_class, 10) << "  "
+                  << padded(each.type, width) << "  " << each.name << '\n';
+        print_slips(each.slips);
+    }
+    std::cout << path << ": " << file.devices().size() << (file.devices().size() == 1 ? " device" : " devices") << ", "
+              << modules.size() << (modules.size() == 1 ? " module" : " modules") << '\n';
+    return example::success;
 }
 
 void put(const std::string& path, std::string_view bytes) {
@@ -215,11 +341,19 @@ int main(int argc, char** argv) {
             ("output", po::value<std::string>(), "ESI file to write, instead of standard output")
             ("sii", po::value<std::string>(), "file to write with the content of the SII")
             ("from", po::value<std::string>(), "ESI file that describes the slave, instead of the other options")
+            ("list", po::value<std::string>(), "ESI file whose devices and modules are listed; with a choice, what that device has")
+            ("product", po::value<std::string>(), "choose a device of the file by its product code")
+            ("revision", po::value<std::string>(), "choose it by its revision, or the newest one below")
+            ("device", po::value<std::string>(), "choose it by its number in the file, from 0")
             ("check", po::value<std::string>(), "ESI file to check; nothing is written");
         // clang-format on
         example::add_mailbox_option(options);
         example::add_table_options(options);
         const auto values = example::parse(argc, argv, options, help);
+        if (is_chosen(values) && values.count("from") + values.count("list") == 0)
+            throw example::usage_error{
+                "--product, --revision and --device choose a device of the file of --from or --list"};
+        if (values.count("list") != 0) return list(values);
         return values.count("check") != 0 ? check(values["check"].as<std::string>()) : write(values);
     });
 }

@@ -52,6 +52,43 @@ TEST_CASE("esi compares identity, SyncManagers, FMMUs and PDOs with a file") {
                     "                         slave: 0x00000004"));
 }
 
+TEST_CASE("esi chooses the device of a file by the slave") {
+    const scratch files;
+    // Product 1 in revisions 2 and 5, and product 2.
+    const auto text = [](std::uint32_t product, std::uint32_t revision) {
+        auto of = described();
+        of.product = product;
+        of.revision = revision;
+        return jauscat::esi::write_esi(jauscat::esi::make_device(
+            of, {.vendor_name = "someone", .group_type = "axes", .group_name = "axes", .type = "axis"}, {}, false));
+    };
+    const auto device = [](const std::string& xml) {
+        const auto begin = xml.find("<Device "), end = xml.find("</Devices>");
+        return xml.substr(begin, end - begin);
+    };
+    auto all = text(1, 2);
+    all.insert(all.find("</Devices>"), device(text(1, 5)) + device(text(2, 3)));
+    std::ofstream{files / "axes.xml"} << all;
+    auto newer = described();
+    newer.revision = 4;
+    auto other = described();
+    other.product = 3;
+    const emulated_bus ring{{described(), newer, other}};
+    // The slave has revision 3: the file of 2 describes it, but for the revision itself.
+    const auto found = run("esi " + (files / "axes.xml") + " --slave 0 --format json" + on(ring));
+    INFO(found.out << found.err);
+    CHECK(found.code == failed);
+    CHECK(row(found, "product")["same"] == true);
+    CHECK(row(found, "revision") ==
+          json{{"what", "revision"}, {"same", false}, {"file", "0x00000002"}, {"slave", "0x00000003"}});
+    CHECK(row(found, "PDO 0x1A00")["same"] == true);
+    CHECK(row(run("esi " + (files / "axes.xml") + " --slave 1 --format json" + on(ring)), "revision")["file"] ==
+          "0x00000002");
+    const auto absent = run("esi " + (files / "axes.xml") + " --slave 2" + on(ring));
+    CHECK(absent.code == failed);
+    CHECK(absent.complains("no <Device> is product #x00000003, revision #x00000003"));
+}
+
 TEST_CASE("esi says what is wrong with a file") {
     const scratch files;
     const emulated_bus ring{{described()}};

@@ -101,6 +101,66 @@ TEST_CASE("a problem is reported with line and element") {
         CHECK(problem("<EtherCATInfo/>", rule) == "its parent is missing");
 }
 
+TEST_CASE("a check tells apart what the schema demands, the standard advises and the emulated device needs") {
+    const auto missing = [](const std::string& xml, esi::demand by) {
+        std::vector<std::string> made;
+        const auto findings = esi::check_esi_text(xml, "sample.xml");
+        REQUIRE(findings);
+        for (const auto& each : *findings)
+            if (each.by == by && !each.met()) made.push_back(each.what);
+        return made;
+    };
+    using list = std::vector<std::string>;
+    const auto xml = sample_esi();
+    const auto without = [&](const std::string& text) { return replaced(xml, text, ""); };
+    for (const auto by : {esi::demand::schema, esi::demand::standard, esi::demand::emulation})
+        CHECK(missing(xml, by).empty());
+    CHECK(missing(without(" Physics=\"YY\""), esi::demand::schema) == list{"Descriptions/Devices/Device/@Physics"});
+    CHECK(missing(without(" Physics=\"YY\""), esi::demand::standard).empty());
+    CHECK(missing(without(" ControlByte=\"#x26\""), esi::demand::schema).empty());
+    CHECK(missing(without(" ControlByte=\"#x26\""), esi::demand::standard) ==
+          list{"Descriptions/Devices/Device/Sm/@ControlByte"});
+    const auto begin = xml.find("<Profile>"), end = xml.find("</Profile>") + 10;
+    const auto online = xml.substr(0, begin) + xml.substr(end); // the dictionary is read from the device
+    CHECK(missing(online, esi::demand::schema).empty());
+    CHECK(missing(online, esi::demand::standard).empty());
+    CHECK(!missing(online, esi::demand::emulation).empty());
+    const auto other = replaced(online, "<CoE ", "<EoE/><FoE/><CoE ");
+    const auto coe = other.find("<CoE "), coe_end = other.find("/>", coe) + 2;
+    CHECK(missing(other.substr(0, coe) + other.substr(coe_end), esi::demand::schema).empty());
+    CHECK(missing(other.substr(0, coe) + other.substr(coe_end), esi::demand::standard).empty());
+}
+
+TEST_CASE("all devices of a file are checked") {
+    const auto xml = sample_esi();
+    const auto at = xml.find("<Device "), end = xml.find("</Devices>");
+    const auto two =
+        replaced(xml, "</Devices>", replaced(xml.substr(at, end - at), " Physics=\"YY\"", "") + "</Devices>");
+    const auto found = problem(two, "Descriptions/Devices/Device/@Physics");
+    CHECK(found.starts_with("line "));
+    CHECK(found.ends_with("<Device>: has no attribute Physics"));
+    CHECK(problem(two, "types, sizes and references agree") == "");
+}
+
+TEST_CASE("the order of elements depends on their place") {
+    const std::string rule = "elements stand in the schema's order";
+    const auto xml = sample_esi();
+    // An Info of a device, a Mailbox in it and a Properties below a vendor's own element are other elements than those
+    // of an object.
+    CHECK(problem(
+              replaced(
+                  xml, "<GroupType>",
+                  "<Info><Mailbox><Timeout><ResponseTimeout>9</ResponseTimeout></Timeout></Mailbox></Info><GroupType>"),
+              rule) == "");
+    CHECK(
+        problem(replaced(xml, "</Vendor>", "<VendorSpecific><Device><Name/><Type/></Device></VendorSpecific></Vendor>"),
+                rule) == "");
+    CHECK(problem(replaced(xml, "</Devices>", "</Devices><Modules><Module><Name>m</Name><Type/></Module></Modules>"),
+                  rule)
+              .ends_with("<Type>: stands too late in <Module>, expected the order Type Name RxPdo TxPdo Mailbox "
+                         "DcSettingsMandatory Profile Comment ImageFile16x14 ImageData16x14 VendorSpecific"));
+}
+
 TEST_CASE("a device with process data alone needs no mailbox") {
     auto slave = test::sample_slave;
     slave.mailbox_out_size = slave.mailbox_in_size = 0;

@@ -348,8 +348,12 @@ TEST_CASE("the sizes of base types are those of ETG.1020") {
     CHECK(esi::bits_of("STRING(7)") == 56);
     CHECK(esi::bits_of("OCTET_STRING(1544)") == 12352);
     CHECK(esi::bits_of("ARRAY [0..27] OF BYTE") == 224);
+    CHECK(esi::bits_of("ARRAY [0..27] OF INT") == 448);
+    CHECK(esi::bits_of("VISIBLE_STRING(7)") == 56);
+    CHECK(esi::bits_of("UNICODE_STRING(7)") == 112);
+    CHECK(esi::bits_of("BITARR16") == 16);
     for (const auto* wrong : {"", "usint", "DT1018", "STRING()", "STRING(x)", "STRING(7", "OCTET_STRING(#x)",
-                              "ARRAY [1..27] OF BYTE", "ARRAY [0..27] OF INT"})
+                              "ARRAY [1..27] OF BYTE", "ARRAY [0..27] OF DT1018"})
         CHECK(!esi::bits_of(wrong));
 }
 

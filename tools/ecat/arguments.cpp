@@ -146,7 +146,8 @@ Exit code 1 if frames were lost, slaves were missing or counters have grown.
     command_help{
         "esi", "FILE", 1, 1, slave, "compare a slave with an ESI file",
         R"(Compares identity, mailbox, SyncManagers, FMMUs and PDOs in the SII, and, where the slave has SDO information, its objects,
-with the device in the file. A slave in INIT is taken to PRE-OP for the time of the command.
+with the device in the file. Of several devices it is the one with the slave's product code and revision, or the newest
+revision below. A slave in INIT is taken to PRE-OP for the time of the command.
 
 Examples:
   jauscat-ecat esi drive.xml --link eth0 --slave 2

@@ -158,13 +158,21 @@ void compare_objects(comparison& to, ring& on, std::uint16_t position, const fil
         if (!ours.contains(index)) to.add("object " + hex(index, 4), absent, "there");
 }
 
+/// The device of the file that the slave is; the only one that there is also describes another slave, to be compared.
+files::device described(const files::esi_file& file, const ethercat::sii_identity& slave) {
+    auto read =
+        file.devices().size() == 1 ? file.read() : file.read({.product = slave.product, .revision = slave.revision});
+    if (!read) throw failure{read.error().message};
+    for (const auto& each : read->slips) note("left out: " + each.message);
+    return *std::move(read);
+}
+
 } // namespace
 
 int esi(const arguments& given) {
     const auto& path = given.words.front();
-    const auto read = files::read_esi(path);
-    if (!read) throw failure{read.error().message};
-    const auto& file = *read;
+    const auto all_devices = files::esi_file::open(path);
+    if (!all_devices) throw failure{all_devices.error().message};
     ring on{given.link};
     on.guard();
     const auto position = chosen_slave(given, on);
@@ -175,6 +183,7 @@ int esi(const arguments& given) {
         sii = read_sii(reader, sii_depth::all);
     }
     for (const auto& each : sii.problems) note(on.name_of(position) + ": SII: " + each);
+    const auto file = described(*all_devices, sii.identity);
     compare_sii(all, file, sii);
     compare_pdos(all, file, read_process_objects(on, position, true));
     if (sii.mailbox.coe) compare_objects(all, on, position, file);

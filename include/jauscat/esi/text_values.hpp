@@ -25,6 +25,16 @@ JAUSCAT_DECL std::string hex_number(std::uint32_t value, std::size_t digits = 1)
 [[nodiscard]] JAUSCAT_DECL std::optional<std::uint32_t> parse_number(std::string_view text,
                                                                      std::uint32_t max = 0xFFFFFFFF);
 
+/// `text` without white space at its ends.
+[[nodiscard]] JAUSCAT_DECL std::string_view trimmed(std::string_view text);
+
+/// `text` without any white space.
+[[nodiscard]] JAUSCAT_DECL std::string without_space(std::string_view text);
+
+/// As `parse_number`, of other ways to write a number, too: `0x1A`, `#X1A`, and with white space in it.
+[[nodiscard]] JAUSCAT_DECL std::optional<std::uint32_t> parse_number_liberally(std::string_view text,
+                                                                               std::uint32_t max = 0xFFFFFFFF);
+
 /// The value of `-26` or `26`, if it is `min` to `max`.
 [[nodiscard]] JAUSCAT_DECL std::optional<std::int32_t> parse_integer(std::string_view text, std::int32_t min,
                                                                      std::int32_t max);
@@ -35,14 +45,17 @@ JAUSCAT_DECL std::string hex_number(std::uint32_t value, std::size_t digits = 1)
 /// Two digits for each byte, without separators.
 JAUSCAT_DECL std::string hex_bytes(std::span<const std::byte> bytes);
 
-/// The reverse of `hex_bytes`; nothing for any other text.
+/// The reverse of `hex_bytes`, also with white space between the bytes; nothing for any other text.
 [[nodiscard]] JAUSCAT_DECL std::optional<std::vector<std::byte>> parse_bytes(std::string_view text);
 
 /// Base types of ETG.1020 with a fixed size, in bits.
-inline constexpr std::array<std::pair<std::string_view, std::uint32_t>, 22> sized_types{
-    {{"BOOL", 1},   {"BIT1", 1},   {"BIT2", 2},  {"BIT3", 3},  {"BIT4", 4},   {"BIT5", 5},  {"BIT6", 6},  {"BIT7", 7},
-     {"BIT8", 8},   {"BYTE", 8},   {"SINT", 8},  {"USINT", 8}, {"INT", 16},   {"UINT", 16}, {"WORD", 16}, {"DINT", 32},
-     {"UDINT", 32}, {"DWORD", 32}, {"REAL", 32}, {"LINT", 64}, {"ULINT", 64}, {"LREAL", 64}}};
+inline constexpr std::array<std::pair<std::string_view, std::uint32_t>, 39> sized_types{
+    {{"BOOL", 1},   {"BIT1", 1},   {"BIT2", 2},   {"BIT3", 3},    {"BIT4", 4},      {"BIT5", 5},      {"BIT6", 6},
+     {"BIT7", 7},   {"BIT8", 8},   {"BIT9", 9},   {"BIT10", 10},  {"BIT11", 11},    {"BIT12", 12},    {"BIT13", 13},
+     {"BIT14", 14}, {"BIT15", 15}, {"BIT16", 16}, {"BITARR8", 8}, {"BITARR16", 16}, {"BITARR32", 32}, {"BYTE", 8},
+     {"SINT", 8},   {"USINT", 8},  {"INT", 16},   {"UINT", 16},   {"WORD", 16},     {"INT24", 24},    {"UINT24", 24},
+     {"DINT", 32},  {"UDINT", 32}, {"DWORD", 32}, {"REAL", 32},   {"INT40", 40},    {"UINT40", 40},   {"LINT", 64},
+     {"ULINT", 64}, {"LWORD", 64}, {"LREAL", 64}, {"GUID", 128}}};
 
 /// Names of the data types of PDO entries (ETG.1000.6).
 inline constexpr std::array<std::pair<std::uint16_t, std::string_view>, 19> data_type_names{
@@ -81,7 +94,8 @@ JAUSCAT_DECL std::string string_type(std::size_t characters);
 [[nodiscard]] JAUSCAT_DECL std::optional<std::vector<std::byte>> parse_value(std::string_view text,
                                                                              std::string_view type);
 
-/// Size in bits of a base type: one of `sized_types`, STRING(n), OCTET_STRING(n), ARRAY [0..n] OF BYTE.
+/// Size in bits of a base type: one of `sized_types`, STRING(n), VISIBLE_STRING(n), UNICODE_STRING(n), OCTET_STRING(n),
+/// ARRAY [0..n] OF one of `sized_types`.
 [[nodiscard]] JAUSCAT_DECL std::optional<std::uint32_t> bits_of(std::string_view type);
 
 /// Content of an Sm element, by use.

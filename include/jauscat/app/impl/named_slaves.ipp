@@ -39,7 +39,7 @@ inline void add_esi_identity(net::slave_entry& entry) {
         throw std::invalid_argument{"slave \"" + entry.name + "\": " + entry.esi + " is of another vendor"};
     entry.vendor = device->vendor_id;
     entry.product = device->product_code;
-    entry.revision = device->revision;
+    if (!entry.revision) entry.revision = device->revision;
     if (!entry.sync_mode.empty()) entry.sync = sync_of_mode(entry, *device);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <jauscat/esi/check_esi.hpp>
 #include <jauscat/esi/device.hpp>
+#include <jauscat/esi/emulated_device.hpp>
 #include <jauscat/esi/read_esi.hpp>
 #include <jauscat/esi/requirements.hpp>
 #include <jauscat/esi/text_values.hpp>
@@ -25,17 +26,19 @@ class esi_checker : xml_source {
         : xml_source{text, source}, text_{text}, name_{source} {}
 
     std::vector<finding> check() {
-        root_ = load();
-        const auto device = root_.child("Descriptions").child("Devices").child("Device");
-        has_mailbox_ = is_with_mailbox(device);
+        load();
+        for (const auto each : root().child("Descriptions").child("Devices").children("Device"))
+            devices_.push_back(each);
+        if (devices_.empty()) devices_.emplace_back(); // so that its elements are missing
         for (const auto& each : requirements) look_for(each);
-        if (has_mailbox_) check_mailbox(device);
-        check_eeprom(device.child("Eeprom"));
-        const auto objects = device.child("Profile").child("Dictionary").child("Objects");
-        for (const auto& [index, name] : {std::pair{0x1000u, "device type"}, std::pair{0x1018u, "identity"}})
-            if (has_mailbox_) check_object(objects, index, name);
         check_order();
         check_reading();
+        for (const auto device : devices_) {
+            check_eeprom(device.child("Eeprom"));
+            if (is_with_mailbox(device)) check_mailbox(device);
+            if (is_with_dictionary(device)) check_objects(device);
+        }
+        check_emulation();
         return std::move(findings_);
     }
 
@@ -50,17 +53,40 @@ class esi_checker : xml_source {
     // A device that has SyncManagers for process data alone, and nothing else that needs a mailbox, has none.
     static bool is_with_mailbox(pugi::xml_node device) {
         if (!device || device.child("Mailbox") || device.child("Profile").child("Dictionary")) return true;
-        const auto managers = device.children("Sm");
-        return managers.empty() || std::ranges::any_of(managers, [](pugi::xml_node each) {
-                   const std::string_view use = each.text().get();
-                   return use != "Outputs" && use != "Inputs";
-               });
+        return std::ranges::any_of(device.children("Sm"), [](pugi::xml_node each) {
+            return text(each) == "MBoxOut" || text(each) == "MBoxIn";
+        });
+    }
+    // A device with a mailbox may have other protocols than CoE.
+    static bool is_with_dictionary(pugi::xml_node device) {
+        const auto mailbox = device.child("Mailbox");
+        return is_with_mailbox(device) && (!mailbox.first_child() || mailbox.child("CoE"));
+    }
+    static bool is_concerned(pugi::xml_node device, needed where) {
+        switch (where) {
+        case needed::always:
+        case needed::in_parent: return true;
+        case needed::with_mailbox: return is_with_mailbox(device);
+        case needed::with_coe: return is_with_dictionary(device);
+        }
+        return true;
     }
 
     void look_for(const requirement& wanted) {
-        if (wanted.where == needed::with_mailbox && !has_mailbox_) return;
-        std::vector<pugi::xml_node> parents{root_};
-        auto rest = wanted.path;
+        constexpr std::string_view below = "Descriptions/Devices/Device/";
+        if (!wanted.path.starts_with(below)) {
+            add(wanted.by, wanted.path, wanted.reason, problem_below(root(), wanted.path, wanted));
+            return;
+        }
+        for (const auto device : devices_)
+            if (is_concerned(device, wanted.where))
+                add(wanted.by, wanted.path, wanted.reason,
+                    problem_below(device, wanted.path.substr(below.size()), wanted));
+    }
+
+    std::string problem_below(pugi::xml_node from, std::string_view rest, const requirement& wanted) const {
+        std::vector<pugi::xml_node> parents;
+        if (from) parents.push_back(from);
         for (auto slash = rest.find('/'); slash != rest.npos; slash = rest.find('/')) {
             const std::string step{rest.substr(0, slash)};
             rest.remove_prefix(slash + 1);
@@ -69,10 +95,8 @@ class esi_checker : xml_source {
                 std::ranges::copy(parent.children(step.c_str()), std::back_inserter(next));
             parents = std::move(next);
         }
-        findings_.push_back({std::string{wanted.path}, std::string{wanted.reason},
-                             parents.empty() && wanted.where != needed::in_parent
-                                 ? std::string{parent_is_missing}
-                                 : problem_in(parents, std::string{rest}, wanted.holds)});
+        if (parents.empty()) return wanted.where == needed::in_parent ? std::string{} : std::string{parent_is_missing};
+        return problem_in(parents, std::string{rest}, wanted.holds);
     }
 
     std::string problem_in(const std::vector<pugi::xml_node>& parents, const std::string& name, content holds) const {
@@ -119,78 +143,132 @@ class esi_checker : xml_source {
     }
 
     void check_mailbox(pugi::xml_node device) {
-        auto& result = add("SyncManagers 0 and 1 are the mailbox", "tools number the Sm elements from 0");
         const auto out = device.child("Sm"), in = out.next_sibling("Sm");
-        if (out.text().get() != std::string_view{"MBoxOut"}) {
-            result.problem = fault(out ? out : device, "expected the first <Sm> to be MBoxOut");
-        } else if (in.text().get() != std::string_view{"MBoxIn"}) {
-            result.problem = fault(in ? in : device, "expected the second <Sm> to be MBoxIn");
+        std::string problem;
+        if (text(out) != "MBoxOut") {
+            problem = fault(out ? out : device, "expected the first <Sm> to be MBoxOut");
+        } else if (text(in) != "MBoxIn") {
+            problem = fault(in ? in : device, "expected the second <Sm> to be MBoxIn");
         }
         for (const auto sm : {out, in})
             if (const auto size = parse_number(sm.attribute("DefaultSize").value());
-                result.met() && (!size || *size < ethercat::min_mailbox_size || *size > ethercat::max_mailbox_size))
-                result.problem = at(sm) + "a mailbox has 24 to 1486 bytes";
+                problem.empty() && (!size || *size < ethercat::min_mailbox_size || *size > ethercat::max_mailbox_size))
+                problem = at(sm) + "a mailbox has 24 to 1486 bytes";
+        add(demand::standard, "SyncManagers 0 and 1 are the mailbox", "tools number the Sm elements from 0", problem);
     }
 
     void check_eeprom(pugi::xml_node node) {
-        auto& config = add("ConfigData has the SII's words 0 to 6", "the slave controller's configuration");
+        if (node.child("Data")) return; // the SII as a whole
         const auto bytes = parse_bytes(node.child("ConfigData").text().get());
-        if (!bytes || bytes->size() < ethercat::sii_configuration_checked)
-            config.problem = fault(node, "expected 14 bytes or more in <ConfigData>");
-        auto& size = add("ByteSize holds the SII's fixed part", "its categories begin at byte 128");
+        add(demand::standard, "ConfigData has the SII's words 0 to 6", "the slave controller's configuration",
+            !bytes || bytes->size() < ethercat::sii_configuration_checked
+                ? fault(node, "expected 14 bytes or more in <ConfigData>")
+                : "");
         const auto value = parse_number(node.child("ByteSize").text().get());
-        if (!value || *value < 2 * ethercat::sii_words::categories)
-            size.problem = fault(node, "expected 128 or more in <ByteSize>");
+        add(demand::standard, "ByteSize holds the SII's fixed part", "its categories begin at byte 128",
+            !value || *value < 2 * ethercat::sii_words::categories ? fault(node, "expected 128 or more in <ByteSize>")
+                                                                   : "");
     }
 
-    void check_object(pugi::xml_node objects, std::uint32_t index, const std::string& name) {
-        auto& result = add("object " + hex_number(index, 4) + ", " + name, "mandatory in every CoE device");
-        for (const auto each : objects.children("Object"))
-            if (parse_number(each.child("Index").text().get()) == index) return;
-        result.problem = fault(objects, "has no object " + hex_number(index, 4));
+    void check_objects(pugi::xml_node device) {
+        const auto objects = device.child("Profile").child("Dictionary").child("Objects");
+        for (const auto& [index, name] : {std::pair{0x1000u, "device type"}, std::pair{0x1018u, "identity"}}) {
+            const auto is_there = std::ranges::any_of(objects.children("Object"), [&](pugi::xml_node each) {
+                return parse_number_liberally(each.child("Index").text().get()) == index;
+            });
+            add(demand::emulation, "object " + hex_number(index, 4) + ", " + name, "mandatory in every CoE device",
+                is_there ? "" : fault(objects, "has no object " + hex_number(index, 4)));
+        }
     }
 
     void check_order() {
-        auto& result = add("elements stand in the schema's order", "schema");
-        for (const auto& found : root_.select_nodes("descendant-or-self::*")) {
-            const auto node = found.node();
-            const std::string name = node.name(), qualified = std::string{node.parent().name()} + '/' + name;
-            for (const auto& [element, children] : element_orders)
-                if (result.met() && (element == name || element == qualified))
-                    result.problem = disorder_in(node, ' ' + std::string{children} + ' ');
-        }
+        add(demand::schema, "elements stand in the schema's order", "tools read them in it",
+            disorder_below(root(), "EtherCATInfo"));
     }
 
-    std::string disorder_in(pugi::xml_node node, const std::string& order) const {
+    // The first element below `node` that stands in a wrong place. What `node` may hold depends on its own place.
+    std::string disorder_below(pugi::xml_node node, std::string_view kind) const {
+        const auto* const order = std::ranges::find(element_orders, kind, &element_order::kind);
+        if (order == element_orders.end()) return {};
         std::size_t last = 0;
         for (const auto child : node.children()) {
             if (child.type() != pugi::node_element) continue;
-            const auto place = order.find(' ' + std::string{child.name()} + ' ');
-            if (place == order.npos) return at(child) + "not known in <" + node.name() + '>';
+            const auto place = place_in(order->children, child.name());
+            if (place == std::string_view::npos) return at(child) + "not known in <" + node.name() + '>';
             if (place < last)
-                return at(child) + "stands too late in <" + node.name() + ">, expected the order" +
-                       order.substr(0, order.size() - 1);
+                return at(child) + "stands too late in <" + node.name() + ">, expected the order " +
+                       names_in(order->children);
             last = place;
+            const auto rest = order->children.substr(place + std::string_view{child.name()}.size());
+            if (!rest.starts_with(':')) continue;
+            auto problem = disorder_below(child, rest.substr(1, rest.find(' ') - 1));
+            if (!problem.empty()) return problem;
         }
         return {};
+    }
+    static std::size_t place_in(std::string_view children, std::string_view name) {
+        for (std::size_t at = children.find(name); at != children.npos; at = children.find(name, at + 1)) {
+            const auto end = at + name.size();
+            if ((at == 0 || children[at - 1] == ' ') &&
+                (end == children.size() || children[end] == ' ' || children[end] == ':'))
+                return at;
+        }
+        return children.npos;
+    }
+    static std::string names_in(std::string_view children) {
+        std::string made;
+        for (bool is_name = true; const char c : children) {
+            is_name = c == ' ' || (is_name && c != ':');
+            if (is_name) made += c;
+        }
+        return made;
     }
 
     // Errors across elements, such as types that do not fit their objects, are found by reading the file.
     void check_reading() {
-        auto& result = add("types, sizes and references agree", "tools and emulators build the dictionary from them");
-        result.problem = parse_esi(text_, name_).error().message;
+        std::string problem;
+        const auto file = esi_file::parse(text_, name_);
+        if (!file) problem = file.error().message;
+        for (std::size_t i = 0; problem.empty() && i != file->devices().size(); ++i) {
+            auto device = file->read({.number = i});
+            if (!device)
+                problem = device.error().message;
+            else if (!device->slips.empty())
+                problem = device->slips.front().message;
+            else
+                read_.push_back(*std::move(device));
+        }
+        add(demand::schema, "types, sizes and references agree", "tools build the dictionary from them", problem);
     }
 
-    finding& add(std::string what, std::string reason) {
-        return findings_.emplace_back(finding{std::move(what), std::move(reason), {}});
+    void check_emulation() {
+        std::string problem;
+        for (const auto& each : read_) {
+            const auto made = caught([&] {
+                const emulated_device device{each};
+                return true;
+            });
+            if (!made && problem.empty()) problem = made.error().message;
+        }
+        if (read_.empty()) problem = "no device could be read";
+        add(demand::emulation, "the emulated device takes it", "emulated_bus --esi", problem);
+    }
+
+    // One finding for a requirement, with the first problem.
+    void add(demand by, std::string_view what, std::string_view reason, std::string problem) {
+        const auto found = std::ranges::find(findings_, what, &finding::what);
+        if (found == findings_.end())
+            findings_.push_back({by, std::string{what}, std::string{reason}, std::move(problem)});
+        else if (found->met())
+            found->problem = std::move(problem);
     }
 
     static constexpr std::string_view parent_is_missing = "its parent is missing";
 
     std::string_view text_;
     std::string name_;
-    pugi::xml_node root_{};
-    bool has_mailbox_{};
+    std::vector<pugi::xml_node> devices_{};
+    std::vector<device> read_{};
     std::vector<finding> findings_{};
 };
 

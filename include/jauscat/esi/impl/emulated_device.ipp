@@ -107,7 +107,7 @@ JAUSCAT_DECL void emulated_device::read_pdos(const std::vector<pdo>& pdos, std::
         for (const auto& entry : each.entries)
             into.push_back({.index = entry.index,
                             .subindex = entry.subindex,
-                            .bits = entry.bits,
+                            .bits = static_cast<std::uint8_t>(std::min<std::uint16_t>(entry.bits, 0xFF)),
                             .data_type = static_cast<std::uint8_t>(parse_data_type(entry.type)),
                             .name = entry.name});
     }

@@ -26,6 +26,26 @@ JAUSCAT_DECL std::optional<std::uint32_t> parse_number(std::string_view text, st
     return value;
 }
 
+JAUSCAT_DECL std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view space = " \t\r\n";
+    const auto first = text.find_first_not_of(space);
+    if (first == text.npos) return {};
+    return text.substr(first, text.find_last_not_of(space) + 1 - first);
+}
+
+JAUSCAT_DECL std::string without_space(std::string_view text) {
+    std::string made{text};
+    std::erase_if(made, [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; });
+    return made;
+}
+
+JAUSCAT_DECL std::optional<std::uint32_t> parse_number_liberally(std::string_view text, std::uint32_t max) {
+    auto digits = without_space(text);
+    if (digits.size() > 2 && (digits[0] == '#' || digits[0] == '0') && (digits[1] == 'x' || digits[1] == 'X'))
+        digits.replace(0, 2, "#x");
+    return parse_number(digits, max);
+}
+
 JAUSCAT_DECL std::optional<std::int32_t> parse_integer(std::string_view text, std::int32_t min, std::int32_t max) {
     std::int32_t value{};
     const auto* const end = text.data() + text.size();
@@ -49,10 +69,11 @@ JAUSCAT_DECL std::string hex_bytes(std::span<const std::byte> bytes) {
     return text;
 }
 
-JAUSCAT_DECL std::optional<std::vector<std::byte>> parse_bytes(std::string_view text) {
+JAUSCAT_DECL std::optional<std::vector<std::byte>> parse_bytes(std::string_view with_space) {
     std::vector<std::byte> bytes;
-    if (text.size() % 2 != 0) return std::nullopt;
-    for (; !text.empty(); text.remove_prefix(2)) {
+    const auto digits = without_space(with_space);
+    if (digits.size() % 2 != 0) return std::nullopt;
+    for (std::string_view text{digits}; !text.empty(); text.remove_prefix(2)) {
         unsigned byte{};
         const auto [stop, error] = std::from_chars(text.data(), text.data() + 2, byte, 16);
         if (error != std::errc{} || stop != text.data() + 2) return std::nullopt;
@@ -77,16 +98,19 @@ JAUSCAT_DECL std::string octet_string_type(std::size_t bytes) { return "OCTET_ST
 
 JAUSCAT_DECL std::string string_type(std::size_t characters) { return "STRING(" + std::to_string(characters) + ')'; }
 
-JAUSCAT_DECL std::optional<std::vector<std::byte>> parse_value(std::string_view text, std::string_view type) {
+JAUSCAT_DECL std::optional<std::vector<std::byte>> parse_value(std::string_view written, std::string_view type) {
     const auto* const found = std::ranges::find(sized_types, type, [](const auto& each) { return each.first; });
     if (found == sized_types.end()) return std::nullopt;
     const auto bits = found->second;
+    if (bits > 64) return std::nullopt;
     std::uint64_t value{};
     const auto parsed = [&]<class T>(std::string_view digits, T& into, auto... base) {
         const auto* const end = digits.data() + digits.size();
         const auto [stop, error] = std::from_chars(digits.data(), end, into, base...);
         return error == std::errc{} && stop == end;
     };
+    const auto spaceless = without_space(written);
+    std::string_view text{spaceless};
     if (type == "REAL" || type == "LREAL") {
         double real{};
         if (!parsed(text, real)) return std::nullopt;
@@ -113,18 +137,17 @@ JAUSCAT_DECL std::optional<std::uint32_t> bits_of(std::string_view type) {
     for (const auto& [name, bits] : sized_types)
         if (type == name) return bits;
     // The length, or the last index, is between `before` and `after`.
-    const auto bytes = [&](std::string_view before, std::string_view after,
-                           std::uint32_t more) -> std::optional<std::uint32_t> {
+    const auto between = [&](std::string_view before, std::string_view after) -> std::optional<std::uint32_t> {
         if (!type.starts_with(before) || !type.ends_with(after) || type.size() <= before.size() + after.size())
             return std::nullopt;
-        const auto length =
-            parse_number(type.substr(before.size(), type.size() - before.size() - after.size()), 0xFFFFFF);
-        if (!length) return std::nullopt;
-        return (*length + more) * 8;
+        return parse_number_liberally(type.substr(before.size(), type.size() - before.size() - after.size()), 0xFFFFFF);
     };
-    if (const auto bits = bytes("STRING(", ")", 0)) return bits;
-    if (const auto bits = bytes("OCTET_STRING(", ")", 0)) return bits;
-    return bytes("ARRAY [0..", "] OF BYTE", 1);
+    for (const auto& [name, size] :
+         {std::pair{"STRING(", 8u}, {"VISIBLE_STRING(", 8u}, {"OCTET_STRING(", 8u}, {"UNICODE_STRING(", 16u}})
+        if (const auto length = between(name, ")")) return *length * size;
+    for (const auto& [name, bits] : sized_types)
+        if (const auto last = between("ARRAY [0..", "] OF " + std::string{name})) return (*last + 1) * bits;
+    return std::nullopt;
 }
 
 JAUSCAT_DECL std::optional<ethercat::sii_sync_manager_use> parse_sync_manager_use(std::string_view text) {

@@ -6,6 +6,8 @@
 #include <pugixml.hpp>
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -60,28 +62,74 @@ class esi_writer {
         set(type, "RevisionNo", hex_number(device_.revision, 8));
         if (device_.serial != 0) set(type, "SerialNo", hex_number(device_.serial, 8));
         add_name(node, device_.name);
+        put_timeouts(node);
         add(node, "GroupType", device_.group_type);
-        if (device_.has_coe) {
+        if (device_.has_coe || device_.profile != 0) {
             const auto profile = add(node, "Profile");
             add(profile, "ProfileNo", number(device_.profile));
-            const auto dictionary = add(profile, "Dictionary");
-            const auto types = add(dictionary, "DataTypes");
-            const auto objects = add(dictionary, "Objects");
-            for (const auto& what : device_.objects) put_object(types, objects, what);
+            if (device_.has_coe) put_dictionary(add(profile, "Dictionary"));
         }
         for (const auto& use : device_.fmmus) add(node, "Fmmu", use);
         for (const auto& manager : device_.sync_managers) put_sync_manager(node, manager);
         for (const auto& each : device_.rx_pdos) put_pdo(add(node, "RxPdo"), each);
         for (const auto& each : device_.tx_pdos) put_pdo(add(node, "TxPdo"), each);
-        if (device_.has_coe) put_mailbox(add(node, "Mailbox"));
+        if (device_.has_coe || !device_.protocols.empty()) put_mailbox(add(node, "Mailbox"));
         if (!device_.clock_modes.empty()) {
             const auto clock = add(node, "Dc");
             for (const auto& each : device_.clock_modes) put_clock_mode(add(clock, "OpMode"), each);
         }
-        const auto memory = add(node, "Eeprom");
-        add(memory, "ByteSize", number(device_.eeprom.byte_size));
-        add(memory, "ConfigData", hex_bytes(device_.eeprom.config_data));
-        if (!device_.eeprom.bootstrap.empty()) add(memory, "BootStrap", hex_bytes(device_.eeprom.bootstrap));
+        put_slots(node);
+        if (device_.eeprom != eeprom{}) put_eeprom(add(node, "Eeprom"));
+    }
+
+    void put_eeprom(pugi::xml_node node) const {
+        if (!device_.eeprom.image.empty()) {
+            add(node, "Data", hex_bytes(device_.eeprom.image));
+            return;
+        }
+        add(node, "ByteSize", number(device_.eeprom.byte_size));
+        add(node, "ConfigData", hex_bytes(device_.eeprom.config_data));
+        if (!device_.eeprom.bootstrap.empty()) add(node, "BootStrap", hex_bytes(device_.eeprom.bootstrap));
+    }
+
+    void put_timeouts(pugi::xml_node device) const {
+        const auto& times = device_.timeouts;
+        if (times == esi::timeouts{}) return;
+        const auto info = add(device, "Info");
+        const auto put = [](pugi::xml_node parent, const char* name, std::optional<std::chrono::milliseconds> time) {
+            if (time) add(parent, name, std::to_string(time->count()));
+        };
+        if (times.pre_op || times.safe_op_op || times.back_to_init || times.back_to_safe_op) {
+            const auto states = add(add(info, "StateMachine"), "Timeout");
+            put(states, "PreopTimeout", times.pre_op);
+            put(states, "SafeopOpTimeout", times.safe_op_op);
+            put(states, "BackToInitTimeout", times.back_to_init);
+            put(states, "BackToSafeopTimeout", times.back_to_safe_op);
+        }
+        if (times.request || times.response) {
+            const auto mailbox = add(add(info, "Mailbox"), "Timeout");
+            put(mailbox, "RequestTimeout", times.request);
+            put(mailbox, "ResponseTimeout", times.response);
+        }
+    }
+
+    void put_slots(pugi::xml_node device) const {
+        if (device_.slots.empty()) return;
+        const auto slots = add(device, "Slots");
+        for (const auto& each : device_.slots) {
+            const auto node = add(slots, "Slot");
+            set(node, "MinInstances", number(each.min_instances));
+            set(node, "MaxInstances", number(each.max_instances));
+            if (!each.name.empty()) add_name(node, each.name);
+            for (const auto& name : each.module_classes) add(add(node, "ModuleClass"), "Class", name);
+            for (const auto ident : each.module_idents) add(node, "ModuleIdent", hex_number(ident, 8));
+        }
+    }
+
+    void put_dictionary(pugi::xml_node dictionary) {
+        const auto types = add(dictionary, "DataTypes");
+        const auto objects = add(dictionary, "Objects");
+        for (const auto& what : device_.objects) put_object(types, objects, what);
     }
 
     static void put_sync_manager(pugi::xml_node device, const sync_manager& manager) {
@@ -115,13 +163,31 @@ class esi_writer {
 
     void put_mailbox(pugi::xml_node node) const {
         set(node, "DataLinkLayer", "true"); // a lost reply can be requested again
-        const auto coe = add(node, "CoE");
+        const auto put_protocols = [&](bool behind) {
+            for (const auto& each : device_.protocols)
+                if ((each > "CoE" && each != "EoE") == behind) add(node, each.c_str());
+        };
+        put_protocols(false); // AoE, EoE, CoE, FoE, SoE, VoE is the schema's order
+        if (device_.has_coe) put_coe(add(node, "CoE"));
+        put_protocols(true);
+    }
+
+    void put_coe(pugi::xml_node coe) const {
         const auto put = [&](const char* name, bool value) { set(coe, name, value ? "true" : "false"); };
         put("SdoInfo", device_.coe.sdo_information);
         put("PdoAssign", device_.coe.pdo_assign);
         put("PdoConfig", device_.coe.pdo_configuration);
         put("CompleteAccess", device_.coe.complete_access);
         put("SegmentedSdo", device_.coe.segmented_sdo);
+        for (const auto& each : device_.start_up) {
+            const auto node = add(coe, "InitCmd");
+            if (each.complete_access) set(node, "CompleteAccess", "true");
+            for (const auto& transition : each.transitions) add(node, "Transition", transition);
+            add(node, "Index", hex_number(each.index, 4));
+            add(node, "SubIndex", number(each.subindex));
+            add(node, "Data", hex_bytes(each.data));
+            if (!each.comment.empty()) add(node, "Comment", each.comment);
+        }
     }
 
     static void put_clock_mode(pugi::xml_node node, const clock_mode& mode) {
