@@ -151,6 +151,53 @@ TEST_CASE("a fault of a drive ends its operation with the drive's code, until it
     CHECK_FALSE(b.outcome([&](auto done) { left.async_move_to(0.1, done); }));
 }
 
+TEST_CASE("an operation of a motor that does not get to its target ends with an error, and the axis stays enabled") {
+    const auto in = GENERATE(values({csp, csv, mode::profile_position, mode::profile_velocity}));
+    CAPTURE(static_cast<int>(in));
+    bench b;
+    auto patient = radians();
+    patient.settling_time = 100ms;
+    auto left = b.at(0, patient);
+    REQUIRE_FALSE(b.operate(left));
+    REQUIRE_FALSE(b.enable(left, in));
+    b.ring.with(0, [](auto& each) { each.axis().disturbed.blocked = true; });
+    const bool is_position = in == csp || in == mode::profile_position;
+    const auto begin = [&](auto done) {
+        if (is_position)
+            left.async_move_to(0.5, done);
+        else
+            left.async_run_at(1, done);
+    };
+    const auto why = b.outcome(begin);
+    CHECK(why == cia402::axis_errc::not_reached);
+    CHECK(why.message() == "slave 0 (Emulated CiA 402 drive): the motor does not reach the target");
+    CHECK_FALSE(left.feedback().is_target_reached);
+    CHECK(left.feedback().state == axis_state::enabled);
+    b.ring.with(0, [](auto& each) { each.axis().disturbed.blocked = false; });
+    CHECK_FALSE(b.outcome(begin));
+    CHECK(left.feedback().is_target_reached);
+    const auto is = left.feedback();
+    CHECK(std::abs(is_position ? is.position - 0.5 : is.velocity - 1) < 0.3);
+}
+
+TEST_CASE("a drive homes, pushes with a torque and stops quickly") {
+    bench b;
+    auto left = b.at(0);
+    REQUIRE_FALSE(b.operate(left));
+    REQUIRE_FALSE(b.enable(left, mode::homing));
+    REQUIRE_FALSE(b.outcome([&](auto done) { left.async_home(done); }));
+    CHECK(left.axis().is_homed());
+    CHECK(left.move_to(1) == cia402::axis_errc::wrong_mode);
+    REQUIRE_FALSE(b.enable(left, mode::cyclic_synchronous_torque));
+    CHECK_FALSE(left.push_with(50));
+    REQUIRE(b.until([&] { return left.feedback().torque > 40 && left.feedback().velocity > 0.1; }));
+    CHECK(left.push_with(std::numeric_limits<double>::quiet_NaN()).failed());
+    REQUIRE_FALSE(b.outcome([&](auto done) { left.async_quick_stop(done); }));
+    CHECK(left.feedback().state == axis_state::disabled);
+    CHECK(std::abs(b.values(0).velocity_actual) <= 10);
+    CHECK(left.push_with(50) == cia402::axis_errc::not_enabled);
+}
+
 TEST_CASE("the next operation replaces the one that waits, and a lost drive ends it") {
     bench b;
     auto left = b.at(0);
@@ -243,6 +290,9 @@ TEST_CASE("options of a drive out of range are refused") {
     refused([](auto& o) { o.deceleration = -1; });
     refused([](auto& o) { o.max_torque = -1; });
     refused([](auto& o) { o.min_position = 4; });
+    refused([](auto& o) { o.position_window = -1; });
+    refused([](auto& o) { o.velocity_window = std::numeric_limits<double>::quiet_NaN(); });
+    refused([](auto& o) { o.settling_time = 0s; });
     refused([](auto& o) { o.axis = 8; });
     refused([](auto& o) { o.operate.period = 333us; });
 }

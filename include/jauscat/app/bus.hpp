@@ -82,7 +82,7 @@ class bus {
     /// period until the bus stops, also while no slave is in operation. In the thread of the bus if it has one, which
     /// it must not delay; else by the io_context. It must not end the bus, and is not called any more once the bus
     /// stops or ends: what it refers to must live until then. If it throws, all slaves in operation are brought to
-    /// rest.
+    /// rest, and it is not called until the next `async_operate`.
     JAUSCAT_DECL void every_cycle(std::function<void()> f);
     /// Called when a slave is lost: it does not answer, or has ended its operation.
     JAUSCAT_DECL void when_lost(std::function<void(const slave_info& slave, boost::system::error_code why)> f);

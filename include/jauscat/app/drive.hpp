@@ -3,6 +3,7 @@
 #include <jauscat/app/bus.hpp>
 #include <jauscat/ethercat/cia402/axis.hpp>
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -27,6 +28,9 @@ struct drive_options {
     double max_torque{};     ///< 0: the rated torque
     std::optional<double> min_position{};
     std::optional<double> max_position{};
+    double position_window{}; ///< a position is reached within it; 0: what the axis moves in 1 ms at `max_velocity`
+    double velocity_window{}; ///< a velocity is reached within it, a second; 0: a hundredth of `max_velocity`
+    duration settling_time{std::chrono::seconds{1}}; ///< from the end of the profile until the motor is at the target
     cia402::axis_options times{}; ///< its times, the slope of the torque, `standstill` and `shows_following`
     operate_options operate{};    ///< of its slave: the period is one that 60C2h can have, such as 1 ms
 };
@@ -40,7 +44,7 @@ struct drive_feedback {
     double velocity{}; ///< a second
     double torque{};
     bool is_current{};        ///< of the last cycle
-    bool is_target_reached{}; ///< or there is none
+    bool is_target_reached{}; ///< by the motor, within the window; or there is none
     bool is_limited{};        ///< the last target is beyond a limit, which was used in its place
     cia402::axis_error error{};
 };
@@ -84,11 +88,12 @@ class drive {
     template <class Token = default_token> auto async_reset(Token&& token = Token{}) {
         return initiate(&drive::reset, token);
     }
-    /// Until the position is reached. Position modes.
+    /// Until the motor is at the position. not_reached: it is not within `drive_options::settling_time` after the end
+    /// of the profile; in profile position, after it stands still. The axis keeps its target. Position modes.
     template <class Token = default_token> auto async_move_to(double position, Token&& token = Token{}) {
         return initiate(&drive::begin_move, token, position);
     }
-    /// Until the velocity is reached. Velocity modes.
+    /// Until the motor has the velocity. not_reached as of a position. Velocity modes.
     template <class Token = default_token> auto async_run_at(double velocity, Token&& token = Token{}) {
         return initiate(&drive::begin_run, token, velocity);
     }

@@ -270,7 +270,6 @@ class ring {
     JAUSCAT_FUNCTION void cleared(place& at, std::size_t slaves, time_point now);
     JAUSCAT_FUNCTION void brought_up(place& at, const ethercat::master_error& error, time_point now);
     JAUSCAT_FUNCTION void reach_pre_op(place& at);
-    [[nodiscard]] JAUSCAT_FUNCTION ethercat::master_error error_of_place(const place& at) const;
     JAUSCAT_FUNCTION void placed(place& at, const ethercat::master_error& error, time_point now,
                                  jaus::message_sink out);
     JAUSCAT_FUNCTION void set_up(place& at, const ethercat::master_error& error, phase next, time_point now,
@@ -402,8 +401,8 @@ class ring {
 
     work work_{};
     place* served_{};
-    std::array<std::byte, 64> start_up_value_{};                              // of the object that is read back
-    std::array<std::byte, wire::max_size<ethercat::esc_word>> place_value_{}; // the station of the slave at a place
+    std::array<std::byte, 64> start_up_value_{}; // of the object that is read back
+    ethercat::position_place one_position_{};    // of a slave that is looked at alone
     std::optional<time_point> hindered_since_{};
     shared_jobs shared_{};
 };

@@ -44,6 +44,9 @@ inline cia402::axis_options axis_options_of(const drive_options& options) {
     require(options.max_torque >= 0 && std::isfinite(options.max_torque), "max_torque is 0 or more");
     require(!options.min_position || !options.max_position || *options.min_position < *options.max_position,
             "min_position is below max_position");
+    require(options.position_window >= 0 && std::isfinite(options.position_window), "position_window is 0 or more");
+    require(options.velocity_window >= 0 && std::isfinite(options.velocity_window), "velocity_window is 0 or more");
+    require(options.settling_time > options.settling_time.zero(), "settling_time is more than 0");
     require(options.axis < cia402::max_axes, "a drive has up to 8 axes");
     require(cia402::interpolation_period_of(options.operate.period).has_value(),
             "the period is one that 60C2h can have, such as 1 ms or 250 us");
@@ -97,7 +100,7 @@ JAUSCAT_DECL void drive_state::finish(error_code why) {
     if (ended) ended->complete(why);
 }
 /// Ends the operation that waits, if its wish is fulfilled or cannot be.
-JAUSCAT_DECL void drive_state::settle() {
+JAUSCAT_DECL void drive_state::settle(time_point now) {
     if (!done_) return;
     using enum cia402::axis_state;
     const auto state = axis_.state();
@@ -109,12 +112,45 @@ JAUSCAT_DECL void drive_state::settle() {
         case wish::enabled: return state == enabled;
         case wish::off:
         case wish::reset: return state == disabled;
-        case wish::target: return state == enabled && axis_.is_target_reached();
+        case wish::target: return state == enabled && is_at_target();
         case wish::homed: return state == enabled && axis_.is_homed();
         }
         return true;
     }();
-    if (is_done) finish({});
+    if (is_done) return finish({});
+    if (wish_ == wish::target && state == enabled && is_too_late(now)) finish(error_of(cia402::axis_errc::not_reached));
+}
+/// Of a cyclic mode the axis knows where its set-points are, and of profile velocity the drive's bit may be that of the
+/// target before; where the motor is, its feedback says.
+JAUSCAT_DECL bool drive_state::is_at_target() const {
+    if (!axis_.is_target_reached()) return false;
+    const auto is_within = [&](double is, double wanted, double window, double least) {
+        return std::abs(is - wanted) <= std::max(window, least);
+    };
+    switch (axis_.targets().mode) {
+    case cia402::mode::cyclic_synchronous_position: {
+        const double window = options_.position_window != 0 ? options_.position_window : options_.max_velocity / 1000;
+        return !axis_.feedback().has_position || is_within(axis_.feedback().position, axis_.targets().position,
+                                                           window * std::abs(options_.increments), 1);
+    }
+    case cia402::mode::profile_velocity:
+    case cia402::mode::cyclic_synchronous_velocity: {
+        const double window = options_.velocity_window != 0 ? options_.velocity_window : options_.max_velocity / 100;
+        return is_within(axis_.velocity(), axis_.targets().velocity, window * std::abs(velocity_units_), 1);
+    }
+    default: return true; // the drive's own bit
+    }
+}
+/// Whether the motor has had the settling time: since the end of the set-points, or, where the drive has a profile of
+/// its own, since it stands still.
+JAUSCAT_DECL bool drive_state::is_too_late(time_point now) {
+    const auto mode = axis_.targets().mode;
+    const bool is_own_profile = mode == cia402::mode::profile_position || mode == cia402::mode::profile_velocity;
+    if (!(is_own_profile ? axis_.is_at_standstill() : axis_.is_target_reached()))
+        settles_since_.reset();
+    else if (!settles_since_)
+        settles_since_ = now;
+    return settles_since_ && now - *settles_since_ >= options_.settling_time;
 }
 
 /// Goes on with `next()`, under the lock, unless an operation has failed or the drive's has ended.
@@ -247,6 +283,7 @@ JAUSCAT_DECL void drive_state::begin(operation_ptr<> done, wish what,
     if (const auto error = begin(axis_); error != cia402::axis_errc::ok) return done->complete(error_of(error));
     replace(std::move(done));
     wish_ = what;
+    settles_since_.reset();
 }
 JAUSCAT_DECL void drive_state::enable(const operation_ptr<>& done, cia402::mode mode) {
     const auto locked = lock();
@@ -326,7 +363,7 @@ JAUSCAT_DECL drive_feedback drive_state::feedback() const {
             .velocity = axis_.velocity() / velocity_units_,
             .torque = seen.torque / options_.torque_units,
             .is_current = is_current_,
-            .is_target_reached = axis_.is_target_reached(),
+            .is_target_reached = is_at_target(),
             .is_limited = is_limited_,
             .error = axis_.error()};
 }
@@ -339,7 +376,7 @@ JAUSCAT_DECL void drive_state::on_cycle(time_point now) {
     if (!data) {
         axis_.on_lost();
         is_operating_ = false;
-        return settle();
+        return settle(now);
     }
     is_current_ = slave_.bus()->is_current(*data);
     // For less than its time-out a drive may be silent: it keeps its targets.
@@ -348,7 +385,7 @@ JAUSCAT_DECL void drive_state::on_cycle(time_point now) {
     feedback.is_current = is_current_;
     axis_.on_cycle(feedback, now);
     places_.store(axis_.targets(), data->outputs);
-    settle();
+    settle(now);
 }
 JAUSCAT_DECL void drive_state::begin_rest() {
     axis_.quick_stop();

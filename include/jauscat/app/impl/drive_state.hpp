@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace jauscat {
@@ -49,7 +50,9 @@ class drive_state final : public cycle_user, public std::enable_shared_from_this
     [[nodiscard]] error_code error_of(cia402::axis_errc error) const { return error_of(cia402::axis_error{error}); }
     void replace(operation_ptr<> done);
     void finish(error_code why);
-    void settle();
+    void settle(time_point now);
+    [[nodiscard]] bool is_at_target() const;
+    [[nodiscard]] bool is_too_late(time_point now);
     void find_objects();
     void operating();
     /// 60C2h of all axes that the slave has, from this subindex of this axis on.
@@ -73,6 +76,7 @@ class drive_state final : public cycle_user, public std::enable_shared_from_this
     cia402::axis_places places_{};
     operation_ptr<> done_{}; ///< waits for `wish_`
     wish wish_{};
+    std::optional<time_point> settles_since_{}; ///< the motor has had all that should bring it to the target
     std::uint16_t station_{};
     bool is_operating_{}, is_current_{}, is_limited_{};
 };

@@ -286,10 +286,8 @@ JAUSCAT_FUNCTION bool ring::begin_place_check(place& at) {
             [](const place& each) { return ethercat::position_place{each.front->station()}; });
         !all.empty())
         return begin_job(at, work::place_all, ethercat::check_positions{all});
-    const auto position = master_.find(at.front->station())->position;
-    return begin_job(at, work::place,
-                     ethercat::exchange_datagram{ethercat::command::aprd, static_cast<std::uint16_t>(-position),
-                                                 ethercat::esc_registers::station_address.address, place_value_});
+    one_position_ = ethercat::position_place{at.front->station()};
+    return begin_job(at, work::place, ethercat::check_positions{{&one_position_, 1}});
 }
 
 JAUSCAT_FUNCTION bool ring::has_sync(const place& at) noexcept {
@@ -580,7 +578,7 @@ JAUSCAT_FUNCTION void ring::complete(time_point now, jaus::message_sink out) {
     case work::sync: return sync_started(at, result, now, out);
     case work::safe_op: return set_up(at, result, phase::safe_op, now, out);
     case work::op: return set_up(at, result, phase::in_state, now, out);
-    case work::place: return placed(at, error_of_place(at), now, out);
+    case work::place: return placed(at, result != ethercat::master_error{} ? result : one_position_.error, now, out);
     case work::place_all:
         return complete_all(
             positions_, [](const auto& each) { return each.station; },
@@ -623,15 +621,6 @@ JAUSCAT_FUNCTION void ring::reach_pre_op(place& at) {
     at.has_reply = false;
     at.at = at.front->options().cyclic ? phase::pre_op : phase::in_state;
     if (at.at == phase::pre_op) at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), false);
-}
-
-JAUSCAT_FUNCTION ethercat::master_error ring::error_of_place(const place& at) const {
-    ethercat::esc_word station{};
-    if (master_.error() != ethercat::master_error{}) return master_.error();
-    const bool is_there = *master_.result<ethercat::exchange_datagram>() == 1 && wire::decode(station, place_value_) &&
-                          station.value == at.front->station();
-    if (is_there) return {};
-    return {.code = ethercat::master_errc::wrong_station, .station = at.front->station()};
 }
 
 JAUSCAT_FUNCTION void ring::placed(place& at, const ethercat::master_error& error, time_point now,

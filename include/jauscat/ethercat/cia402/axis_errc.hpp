@@ -17,6 +17,7 @@ enum class axis_errc : std::uint8_t {
     mode_refused,     ///< the drive does not show the mode in time
     not_following,    ///< the drive does not follow its target in time (cyclic synchronous position, bit 12)
     not_acknowledged, ///< the drive does not take a set-point in time (profile position)
+    not_reached,      ///< the motor does not get to the target in time
     homing_failed,    ///< the drive reports a homing error
     reset_refused,    ///< the fault is there after all attempts to reset it
     inputs_lost,      ///< the drive's inputs are not current
@@ -43,6 +44,7 @@ struct axis_error {
     case axis_errc::mode_refused: return "the drive does not take the mode of operation";
     case axis_errc::not_following: return "the drive does not follow its target position";
     case axis_errc::not_acknowledged: return "the drive does not acknowledge the set-point";
+    case axis_errc::not_reached: return "the motor does not reach the target";
     case axis_errc::homing_failed: return "homing failed";
     case axis_errc::reset_refused: return "the fault is still there after all attempts to reset it";
     case axis_errc::inputs_lost: return "the drive's inputs are not current: it is not in OP or not reachable";
