@@ -3,11 +3,11 @@
 #include "stored_objects.hpp"
 #include "support/link_options.hpp"
 #include "support/say.hpp"
-#include <jauscat/bridge/listed_objects.hpp>
 #include <jauscat/esi/emulated_device.hpp>
+#include <jauscat/esi/emulated_objects.hpp>
 #include <jauscat/esi/read_esi.hpp>
+#include <jauscat/esi/text_values.hpp>
 #include <jauscat/ethercat/code_texts.hpp>
-#include <jauscat/ethercat/slave/mapped_objects.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/slave_tree.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
@@ -20,7 +20,6 @@
 
 namespace {
 
-namespace bridging = jauscat::bridging;
 namespace esi = jauscat::esi;
 namespace ethercat = jauscat::ethercat;
 using jauscat::text::hex_number;
@@ -33,8 +32,9 @@ Each has these objects of exact sizes, which store the written values:
   0x2010:1 to 0x2010:4, 4 bytes each    0x1AF4:1 and 0x6926:1, 28 bytes each
 With --clock they have 0x1C32 and 0x1C33, too: missed SYNC0 are in subindex 11, an error in subindex 32.
 In OP the inputs repeat the outputs, so that a master can check its cycle.
-With --esi the slaves are those of a file that jauscat-esi has written: its mailbox, PDOs, objects and SII. A report that is
-read is the one written last.
+With --esi the slaves are those of an ESI file, of jauscat-esi or of a vendor: its SyncManagers, PDOs, SII, and objects with
+their default values. A report of a JAUS component that is read is the one written last. Of a file with several devices --product
+and --revision choose one, or --device, which may be repeated, some by their numbers (jauscat-esi --list).
 
 Examples:
   emulated_bus                                          one slave, EtherCAT in UDP on port 34980
@@ -44,6 +44,8 @@ Examples:
                                                         distributed clocks that drift
   emulated_bus --subindex-0-rule --state-rule           strict rules for mapping objects
   emulated_bus --esi arm.xml                            the slave that a file describes
+  emulated_bus --esi terminals.xml --device 0 --device 7
+                                                        two devices of a file with many
   emulated_bus --abort 0x2002=0x08000021 --abort 0x2010:1=0x06060000
 )";
 
@@ -144,12 +146,11 @@ class node {
     /// The slave of a file, which outlives it.
     node(std::size_t position, const esi::emulated_device& file, ethercat::coe_options options)
         : say_{"slave " + std::to_string(position), {{"slave", position}}},
-          listed_{file.components(), messages_},
-          mapped_{file.description(), listed_},
-          dictionary_{file.description(), mapped_},
+          file_objects_{std::in_place, file, messages_},
+          dictionary_{file.description(), *file_objects_},
           memory_(file.transfer_size()),
-          slave_{file.description(), dictionary_, with_memory(options)} {
-        mapped_.show(slave_.outputs(), slave_.inputs());
+          slave_{file.description(), *file_objects_, with_memory(options)} {
+        file_objects_->show(slave_);
         messages_.on_write = [this](auto... what) { show_write(what...); };
     }
     node(const node&) = delete;
@@ -211,8 +212,7 @@ class node {
     example::speaker say_;
     example::stored_objects objects_{};
     written_objects messages_{}; // of a file's components
-    bridging::listed_objects listed_{{}, messages_};
-    ethercat::mapped_objects mapped_{{}, listed_};
+    std::optional<esi::emulated_objects> file_objects_{};
     ethercat::standard_objects dictionary_;
     std::vector<std::byte> memory_;
     ethercat::slave slave_;
@@ -268,6 +268,29 @@ int serve(jauscat::net::any_link& link, const std::string& where, std::deque<nod
     return example::success;
 }
 
+/// The devices of the ESI file that are chosen. What the file has wrong is said.
+void read_devices(const boost::program_options::variables_map& values, std::deque<esi::emulated_device>& into) {
+    const auto file = esi::esi_file::open(values["esi"].as<std::string>());
+    if (!file) throw std::runtime_error{file.error().message};
+    const auto number = [](const std::string& text, const char* option) {
+        return static_cast<std::uint32_t>(parse_number(text, 0xFFFFFFFF, option));
+    };
+    const auto add = [&](const esi::device_choice& choice) {
+        const auto read = file->read(choice);
+        if (!read) throw std::runtime_error{read.error().message};
+        for (const auto& each : read->slips) std::cerr << "left out: " << each.message << "\n";
+        into.emplace_back(*read);
+    };
+    esi::device_choice choice;
+    if (!values["product"].defaulted()) choice.product = number(values["product"].as<std::string>(), "product");
+    if (values.count("revision") != 0) choice.revision = number(values["revision"].as<std::string>(), "revision");
+    if (values.count("device") == 0) return add(choice);
+    for (const auto& each : values["device"].as<std::vector<std::string>>()) {
+        choice.number = number(each, "device");
+        add(choice);
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -282,7 +305,9 @@ int main(int argc, char** argv) {
             ("mailbox-size", po::value<std::uint16_t>()->default_value(128), "bytes of each mailbox, 24 to 1486")
             ("vendor", po::value<std::string>()->default_value("0x4A430000"), "vendor ID")
             ("product", po::value<std::string>()->default_value("0x00B5"), "product code")
-            ("esi", po::value<std::string>(), "ESI file that describes the slaves, in place of --outputs, --inputs, --mailbox-size, --vendor, --product, --eight-byte-sii, --object, --clock, --drift and --sync-missed")
+            ("esi", po::value<std::string>(), "ESI file that describes the slaves, in place of --outputs, --inputs, --mailbox-size, --vendor, --eight-byte-sii, --object, --clock, --drift and --sync-missed")
+            ("device", po::value<std::vector<std::string>>()->composing(), "number of a device in the ESI file, from 0; may be repeated for a chain of them")
+            ("revision", po::value<std::string>(), "revision of the device in the ESI file, or the newest one below")
             ("eight-byte-sii", po::bool_switch(), "a read of the SII returns 8 bytes instead of 4")
             ("clock", po::value<unsigned>()->default_value(0), "bits of each slave's distributed clock, 32 or 64; 0: none")
             ("drift", po::value<unsigned>()->default_value(0), "largest error of the clocks in ppm, 0 to 1000: the first is slow, the last fast")
@@ -332,15 +357,15 @@ int main(int argc, char** argv) {
                                           .state_rule = values["state-rule"].as<bool>(),
                                           .answer_delay = values["slow"].as<std::uint32_t>(),
                                           .refused = refused};
-        std::optional<esi::emulated_device> file;
+        std::deque<esi::emulated_device> devices;
         if (values.count("esi") != 0) {
-            for (const auto* const other : {"outputs", "inputs", "mailbox-size", "vendor", "product", "eight-byte-sii",
-                                            "object", "clock", "drift", "sync-missed"})
+            for (const auto* const other : {"outputs", "inputs", "mailbox-size", "vendor", "eight-byte-sii", "object",
+                                            "clock", "drift", "sync-missed"})
                 if (values.count(other) != 0 && !values[other].defaulted())
                     throw example::usage_error{std::string{"--esi and --"} + other + " exclude each other"};
-            const auto read = esi::read_esi(values["esi"].as<std::string>());
-            if (!read) throw std::runtime_error{read.error().message};
-            file.emplace(*read);
+            read_devices(values, devices);
+        } else if (values.count("device") + values.count("revision") != 0) {
+            throw example::usage_error{"--device and --revision choose a device of --esi"};
         }
         const auto bits = values["clock"].as<unsigned>();
         if (bits != 0 && bits != 32 && bits != 64) throw example::usage_error{"--clock must be 0, 32 or 64"};
@@ -352,10 +377,8 @@ int main(int argc, char** argv) {
         std::deque<node> nodes;
         const auto count = within("slaves", values["slaves"].as<std::size_t>(), 1, 100);
         for (std::size_t i = 1; i <= count; ++i) {
-            if (file) {
-                nodes.emplace_back(i - 1, *file, rules);
-                continue;
-            }
+            for (const auto& each : devices) nodes.emplace_back(nodes.size(), each, rules);
+            if (!devices.empty()) continue;
             const ethercat::slave_description description{.vendor = number("vendor"),
                                                           .product = number("product"),
                                                           .serial = static_cast<std::uint32_t>(i),

@@ -322,7 +322,8 @@ int write(const boost::program_options::variables_map& values) {
     else if (values.count("sii") == 0)
         std::cout << esi::write_esi(device);
     if (values.count("sii") != 0) {
-        const auto sii = esi::emulated_device{device}.sii();
+        const esi::emulated_device emulated{device};
+        const auto sii = emulated.sii();
         put(values["sii"].as<std::string>(), {reinterpret_cast<const char*>(sii.data()), sii.size()});
     }
     return example::success;

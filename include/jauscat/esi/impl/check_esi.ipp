@@ -229,14 +229,11 @@ class esi_checker : xml_source {
         std::string problem;
         const auto file = esi_file::parse(text_, name_);
         if (!file) problem = file.error().message;
-        for (std::size_t i = 0; problem.empty() && i != file->devices().size(); ++i) {
+        for (std::size_t i = 0; i != file->devices().size(); ++i) {
             auto device = file->read({.number = i});
-            if (!device)
-                problem = device.error().message;
-            else if (!device->slips.empty())
-                problem = device->slips.front().message;
-            else
-                read_.push_back(*std::move(device));
+            if (problem.empty() && !device) problem = device.error().message;
+            if (problem.empty() && !device->slips.empty()) problem = device->slips.front().message;
+            if (device) read_.push_back(*std::move(device));
         }
         add(demand::schema, "types, sizes and references agree", "tools build the dictionary from them", problem);
     }

@@ -421,7 +421,8 @@ class esi_reader : xml_source {
                           .min_size = size("MinSize"),
                           .max_size = size("MaxSize"),
                           .control = static_cast<std::uint8_t>(number(node, "ControlByte", 0xFF)),
-                          .enabled = !node.attribute("Enable") || is_enabled(node)};
+                          .enabled = !node.attribute("Enable") || is_enabled(node),
+                          .is_virtual = boolean(node, "Virtual")};
         const auto name = text(node);
         if (const auto found = parse_sync_manager_use(name))
             made.use = *found;

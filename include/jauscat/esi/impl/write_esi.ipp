@@ -142,6 +142,7 @@ class esi_writer {
         set(node, "StartAddress", hex_number(manager.start, 4));
         set(node, "ControlByte", hex_number(manager.control, 2));
         set(node, "Enable", manager.enabled ? "1" : "0");
+        if (manager.is_virtual) set(node, "Virtual", "true");
     }
 
     static void put_pdo(pugi::xml_node node, const pdo& what) {

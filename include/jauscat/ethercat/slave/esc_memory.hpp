@@ -95,7 +95,7 @@ class esc_memory {
   private:
     /// Calls f(n, manager) for each SyncManager that is enabled and shares a byte with the access.
     constexpr void for_managers(std::size_t address, std::size_t size, auto&& f) noexcept {
-        if (address + size <= esc_registers::process_ram.address) return;
+        if (address + size <= esc_registers::digital_outputs.address) return;
         for (std::size_t n = 0; n != sync_manager_count; ++n) {
             const auto sm = manager(n);
             if (!sm.enable || sm.length == 0) continue;

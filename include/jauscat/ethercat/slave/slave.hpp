@@ -76,8 +76,9 @@ class slave {
     [[nodiscard]] std::span<const std::byte> outputs() const noexcept { return process_data_.outputs(); }
     /// True once after each write of the outputs in OP.
     bool take_outputs() noexcept { return process_data_.take_outputs(); }
-    /// What a master reads from SAFE-OP on; the application writes it.
-    [[nodiscard]] JAUSCAT_FUNCTION std::span<std::byte> inputs() noexcept;
+    /// What a master reads from SAFE-OP on; the application writes it. Of a slave with several SyncManagers of inputs
+    /// (`slave_description::areas`) those of the `n`-th.
+    [[nodiscard]] std::span<std::byte> inputs(std::size_t n = 0) noexcept { return process_data_.inputs(esc_, n); }
 
     [[nodiscard]] al_status status() const noexcept { return esc_.load(esc_registers::al_status); }
     [[nodiscard]] al_state state() const noexcept { return status().state; }
@@ -97,6 +98,9 @@ class slave {
     [[nodiscard]] bool needs_sync() const noexcept { return description_.needs_sync && esc_.has_clock(); }
     [[nodiscard]] JAUSCAT_FUNCTION bool makes_sync0() const noexcept;
 
+    [[nodiscard]] std::span<const std::byte> sii() const noexcept {
+        return description_.sii.empty() ? std::span<const std::byte>{sii_} : description_.sii;
+    }
     JAUSCAT_FUNCTION void access_sii() noexcept;
 
     slave_description description_;

@@ -25,6 +25,14 @@ struct clock_mode {
     std::int16_t cycle_factor_1{};   ///< of SYNC1, in cycles of SYNC0
 };
 
+/// A SyncManager of process data, of a slave that has others than usual.
+struct data_area {
+    std::uint8_t manager{}; ///< its number
+    std::uint16_t start{};
+    std::uint16_t size{}; ///< bytes
+    bool is_output{};     ///< written by the master
+};
+
 struct slave_description {
     std::uint32_t vendor{};
     std::uint32_t product{};
@@ -55,18 +63,26 @@ struct slave_description {
     /// SAFE-OP is refused unless SYNC0 is on (0030h), and OP until its first one has come (002Dh).
     bool needs_sync{};
     std::span<const clock_mode> clock_modes{}; ///< those of its distributed clock, at most 8
+    /// Its SyncManagers of process data, up to 8, in place of those for `outputs` and `inputs`. The outputs are those
+    /// of all areas one behind the other.
+    std::span<const data_area> areas{};
+    std::span<const std::byte> sii{}; ///< its whole SII; empty: made of this description
 
     /// Without one it has no CoE either.
     [[nodiscard]] constexpr bool has_mailbox() const noexcept { return mailbox_out_size != 0 || mailbox_in_size != 0; }
     /// Whether it has any.
-    [[nodiscard]] constexpr bool has_process_data() const noexcept { return !outputs.empty() || !inputs.empty(); }
+    [[nodiscard]] constexpr bool has_process_data() const noexcept {
+        return !outputs.empty() || !inputs.empty() || !areas.empty();
+    }
     /// Bytes, 0 where there are more than fit.
     [[nodiscard]] constexpr std::size_t output_size() const noexcept {
-        return size_within(outputs, process_memory::max_outputs);
+        return areas.empty() ? size_within(outputs, process_memory::max_outputs)
+                             : size_of_areas(true, process_memory::max_outputs);
     }
     /// Bytes that the master reads in each cycle.
     [[nodiscard]] constexpr std::size_t input_size() const noexcept {
-        return size_within(inputs, process_memory::max_inputs);
+        return areas.empty() ? size_within(inputs, process_memory::max_inputs)
+                             : size_of_areas(false, process_memory::max_inputs);
     }
     [[nodiscard]] constexpr pdo_list output_pdos() const noexcept { return {outputs, output_parts, all_outputs}; }
     [[nodiscard]] constexpr pdo_list input_pdos() const noexcept { return {inputs, input_parts, all_inputs}; }
@@ -83,6 +99,12 @@ struct slave_description {
     static constexpr std::size_t size_within(std::span<const pdo_entry> entries, std::size_t most) noexcept {
         const auto size = process_data_size(entries);
         return size <= most && entries.size() <= process_memory::max_entries ? size : 0;
+    }
+    [[nodiscard]] constexpr std::size_t size_of_areas(bool of_outputs, std::size_t most) const noexcept {
+        std::size_t size = 0;
+        for (const auto& each : areas)
+            if (each.is_output == of_outputs) size += each.size;
+        return size <= most ? size : 0;
     }
 };
 

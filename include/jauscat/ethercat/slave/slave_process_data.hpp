@@ -20,7 +20,7 @@ namespace jauscat::ethercat {
 /// Without process data in the description: nothing is expected of the SyncManagers, and nothing happens.
 class slave_process_data {
   public:
-    /// Of the slave's areas for process data.
+    /// Of the slave's areas for process data, which must outlive this.
     JAUSCAT_FUNCTION explicit slave_process_data(const slave_description& description) noexcept;
 
     JAUSCAT_FUNCTION void power_on(esc_memory& memory) noexcept;
@@ -36,6 +36,8 @@ class slave_process_data {
 
     /// The outputs in force: what the master has sent last while the slave was in OP.
     [[nodiscard]] JAUSCAT_FUNCTION std::span<const std::byte> outputs() const noexcept;
+    /// The inputs of the `n`-th of their SyncManagers; empty where there is none.
+    [[nodiscard]] JAUSCAT_FUNCTION std::span<std::byte> inputs(esc_memory& memory, std::size_t n) const noexcept;
     /// Whether there were outputs in OP since the last call.
     bool take_outputs() noexcept { return std::exchange(taken_over_, false); }
 
@@ -49,20 +51,22 @@ class slave_process_data {
     [[nodiscard]] std::uint64_t missed_in_row() const noexcept { return missed_in_row_; }
 
   private:
-    struct area {
-        std::size_t manager{}; // number of its SyncManager
-        std::uint16_t start{};
+    // What the description has in one direction, and whether that is more than fits.
+    struct amount {
+        bool none{};
         std::size_t size{};
-        bool none{}; // the description has nothing in this direction
 
         [[nodiscard]] bool fits() const noexcept { return none || size != 0; }
-        [[nodiscard]] JAUSCAT_FUNCTION bool accepts(const sync_manager& sm,
-                                                    sync_manager_direction direction) const noexcept;
     };
+    [[nodiscard]] const amount& of(const data_area& area) const noexcept { return area.is_output ? outputs_ : inputs_; }
+    [[nodiscard]] JAUSCAT_FUNCTION bool accepts(const data_area& area, const sync_manager& sm) const noexcept;
+    [[nodiscard]] std::span<const data_area> areas() const noexcept { return other_.empty() ? usual_ : other_; }
 
     JAUSCAT_FUNCTION static void show_watchdog(esc_memory& memory, bool running) noexcept;
 
-    area outputs_, inputs_;
+    amount outputs_, inputs_;
+    std::array<data_area, 2> usual_;
+    std::span<const data_area> other_;
     std::array<std::byte, process_memory::max_outputs> in_force_{};
     bool taken_over_{}; // and the application has not looked yet
     bool fed_{};        // the watchdog's time of the last check

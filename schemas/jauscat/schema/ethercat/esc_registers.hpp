@@ -77,6 +77,7 @@ inline constexpr esc_register_of<ethercat::fmmu> fmmu{{0x0600, 16}};            
 inline constexpr esc_register_of<ethercat::sync_manager> sync_manager{
     {0x0800, 8}}; ///< SyncManager 0; the next ones follow
 inline constexpr esc_register_of<ethercat::mailbox_managers> mailbox_managers{{0x0800, 16}}; ///< SyncManagers 0 and 1
+inline constexpr esc_register digital_outputs{0x0F00, 4}; ///< of a controller without an application behind it
 inline constexpr esc_register process_ram{0x1000, 0}; ///< mailboxes and process data; size by `ram_size`
 } // namespace esc_registers
 

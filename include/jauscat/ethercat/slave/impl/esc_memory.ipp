@@ -272,10 +272,10 @@ JAUSCAT_CONSTEXPR bool esc_memory::is_writable(std::size_t address) const noexce
     if (is_within(esc_registers::distributed_clock, address)) return is_writable_clock(address);
     const auto within = [&](const esc_register& r) { return is_within(r, address); };
     return within(esc_registers::station_address) || within(esc_registers::dl_control) ||
-           within(esc_registers::al_control) || within(esc_registers::ecat_event_mask) ||
-           within(esc_registers::watchdog_divider) || within(esc_registers::pdi_watchdog) ||
-           within(esc_registers::process_data_watchdog) || within(esc_registers::sii_owner) ||
-           (within(esc_registers::sii_address) && sii_is_masters());
+           within(esc_registers::digital_outputs) || within(esc_registers::al_control) ||
+           within(esc_registers::ecat_event_mask) || within(esc_registers::watchdog_divider) ||
+           within(esc_registers::pdi_watchdog) || within(esc_registers::process_data_watchdog) ||
+           within(esc_registers::sii_owner) || (within(esc_registers::sii_address) && sii_is_masters());
 }
 
 JAUSCAT_CONSTEXPR void esc_memory::start_sii(std::size_t address, std::span<const std::byte> in) noexcept {

@@ -19,7 +19,7 @@ JAUSCAT_FUNCTION void slave::power_on() noexcept {
     esc_.store(esc_registers::pdi_control, {sii_pdi_control});
     esc_.store(esc_registers::station_alias, {description_.station_alias});
     esc_.store(esc_registers::sii_request,
-               {.eight_byte_reads = description_.eight_byte_sii_reads, .two_address_bytes = sii_.size() > 2048});
+               {.eight_byte_reads = description_.eight_byte_sii_reads, .two_address_bytes = sii().size() > 2048});
     mailbox_.power_on(esc_);
     process_data_.power_on(esc_);
     sync0_count_ = 0;
@@ -74,10 +74,6 @@ JAUSCAT_FUNCTION void slave::work() noexcept {
 JAUSCAT_FUNCTION void slave::on_time(time_point now) noexcept {
     if (state() != al_state::op || !process_data_.expired(esc_, now)) return;
     leave_op(al_status_code::sync_manager_watchdog);
-}
-
-JAUSCAT_FUNCTION std::span<std::byte> slave::inputs() noexcept {
-    return esc_.bytes(process_memory::inputs, description_.input_size());
 }
 
 JAUSCAT_FUNCTION std::uint16_t slave::station_address() const noexcept {
@@ -144,10 +140,11 @@ JAUSCAT_FUNCTION void slave::access_sii() noexcept {
     auto access = esc_.load(esc_registers::sii_access);
     access.request.busy = false;
     if (access.request.cmd == sii_command::read) {
+        const auto image = sii();
         const std::size_t count = description_.eight_byte_sii_reads ? 8 : 4;
         for (std::size_t i = 0; i != count; ++i) {
             const std::size_t at = std::size_t{access.request.address} * 2 + i;
-            access.data[i] = at < sii_.size() ? sii_[at] : std::byte{0xFF};
+            access.data[i] = at < image.size() ? image[at] : std::byte{0xFF};
         }
     } else {
         access.request.command_error = true; // this memory is read only
