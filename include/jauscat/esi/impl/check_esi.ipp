@@ -173,9 +173,10 @@ class esi_checker : xml_source {
     void check_objects(pugi::xml_node device) {
         const auto objects = device.child("Profile").child("Dictionary").child("Objects");
         for (const auto& [index, name] : {std::pair{0x1000u, "device type"}, std::pair{0x1018u, "identity"}}) {
-            const auto is_there = std::ranges::any_of(objects.children("Object"), [&](pugi::xml_node each) {
-                return parse_number_liberally(each.child("Index").text().get()) == index;
-            });
+            const auto is_there =
+                std::ranges::any_of(objects.children("Object"), [wanted = index](pugi::xml_node each) {
+                    return parse_number_liberally(each.child("Index").text().get()) == wanted;
+                });
             add(demand::emulation, "object " + hex_number(index, 4) + ", " + name, "mandatory in every CoE device",
                 is_there ? "" : fault(objects, "has no object " + hex_number(index, 4)));
         }
