@@ -153,7 +153,8 @@ std::vector<std::uint16_t> set_up(jauscat::net::any_link& medium, ethercat::mast
                                   milliseconds watchdog, clock_set* clocks, microseconds period) {
     stoppable_link link{medium};
     const auto run = [&](const auto& job, const std::string& what) {
-        const auto result = jauscat::net::run(link, master, job);
+        constexpr std::chrono::seconds limit{60}; // the frames for the drift of clocks take 1 ms each on a long bus
+        const auto result = jauscat::net::run(link, master, job, limit);
         require(result, what);
         return result;
     };

@@ -15,8 +15,10 @@
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/value.hpp>
 
+#include <algorithm>
 #include <deque>
 #include <map>
+#include <thread>
 
 namespace {
 
@@ -30,7 +32,8 @@ The slaves have a CoE mailbox with SDO information and complete access, and proc
 Each has these objects of exact sizes, which store the written values:
   0x2000:0 1 byte    0x2001:0 2 bytes   0x2002:0 4 bytes   0x2003:0 28 bytes  0x2004:0 1000 bytes
   0x2010:1 to 0x2010:4, 4 bytes each    0x1AF4:1 and 0x6926:1, 28 bytes each
-With --clock they have 0x1C32 and 0x1C33, too: missed SYNC0 are in subindex 11, an error in subindex 32.
+With --clock they have 0x1C32 and 0x1C33, too: missed SYNC0 are in subindex 11, an error in subindex 32. A frame comes back when it
+has passed all cables, so that masters measure their delays: 300 ns in each slave, and --cable on each cable.
 In OP the inputs repeat the outputs, so that a master can check its cycle.
 With --esi the slaves are those of an ESI file, of jauscat-esi or of a vendor: its SyncManagers, PDOs, SII, and objects with
 their default values. A report of a JAUS component that is read is the one written last. Of a file with several devices --product
@@ -220,8 +223,10 @@ class node {
     ethercat::al_status status_{.state = ethercat::al_state::init};
 };
 
+/// `has_clocks`: a frame goes back when it is back on the bus, so that the next one does not overtake it. Otherwise it
+/// is of no consequence when slaves see it.
 int serve(jauscat::net::any_link& link, const std::string& where, std::deque<node>& nodes,
-          std::chrono::nanoseconds cable) {
+          std::chrono::nanoseconds cable, bool has_clocks) {
     std::vector<ethercat::wired_slave> wires;
     for (auto& each : nodes)
         wires.push_back(
@@ -236,16 +241,21 @@ int serve(jauscat::net::any_link& link, const std::string& where, std::deque<nod
     std::uint64_t frames = 0;
     static_cast<void>(arrival_time(link.native_handle()));
     bool is_idle = true;
+    jauscat::time_point back{}; // the last frame, by the slaves' time
     while (!example::stop_requested) {
         // Frames that wait came before now: the slaves' time does not pass them.
         const auto size = link.receive(frame, is_idle ? std::chrono::milliseconds{20} : std::chrono::milliseconds{});
-        const auto at = size != 0 ? arrival_time(link.native_handle()) : jauscat::net::now();
+        const auto at = std::max(size != 0 ? arrival_time(link.native_handle()) : jauscat::net::now(), back);
         is_idle = size == 0;
         if (size != 0) {
             ++frames;
             const auto received = std::span{frame}.first(size);
             // First the frame, as the hardware does, and only then what the slaves make of it.
-            static_cast<void>(tree.pass(received, at));
+            const auto returns = tree.pass(received, at);
+            if (has_clocks) {
+                back = returns;
+                while (jauscat::net::now() < back) std::this_thread::yield(); // to sleep may take a millisecond
+            }
             if (!link.send(received))
                 say.bad(example::events::frame_not_returned, {{"problem", link.problem()}},
                         "a frame did not go back: " + link.problem());
@@ -398,8 +408,12 @@ int main(int argc, char** argv) {
             nodes.back().slave().set_clock_error(
                 {.drift = static_cast<std::int32_t>(step - drift), .start = i * 1'000'000'007, .step = 10});
         }
+        const bool has_clocks =
+            clock != ethercat::clock_width::no_clock || std::ranges::any_of(devices, [](const auto& each) {
+                return each.description().clock != ethercat::clock_width::no_clock;
+            });
         return example::with_link(values, example::link_end::slave, [&](auto& link, const std::string& where) {
-            return serve(link, where, nodes, cable);
+            return serve(link, where, nodes, cable, has_clocks);
         });
     });
 }

@@ -222,6 +222,21 @@ TEST_CASE("the next operation replaces the one that waits, and a lost drive ends
     REQUIRE_FALSE(b.enable(left));
 }
 
+TEST_CASE("a drive that does not map its mode gets it by SDO, each time that it changes") {
+    auto plain = cia402::drive_description<>;
+    plain.outputs = jauscat::test::outputs_without_mode;
+    bench b{{plain}};
+    auto left = b.at(0);
+    REQUIRE_FALSE(b.operate(left));
+    REQUIRE_FALSE(b.enable(left, csv));
+    CHECK(b.values(0).mode_of_operation == static_cast<std::int8_t>(csv));
+    CHECK_FALSE(b.outcome([&](auto done) { left.async_run_at(1, done); }));
+    REQUIRE_FALSE(b.enable(left, csp));
+    CHECK(b.values(0).mode_of_operation == static_cast<std::int8_t>(csp));
+    CHECK_FALSE(b.outcome([&](auto done) { left.async_move_to(0.5, done); }));
+    CHECK(std::abs(b.values(0).position_actual - 5000) < 250);
+}
+
 TEST_CASE("a drive without an object that a mode needs is refused by name") {
     static constexpr auto few = [] {
         auto entries = cia402::drive_outputs<>;

@@ -20,6 +20,13 @@ inline constexpr auto other_drive_outputs = [] {
     return entries;
 }();
 
+/// The mode of operation is not among them: a master writes it by SDO.
+inline constexpr auto outputs_without_mode = [] {
+    auto entries = cia402::drive_outputs<>;
+    entries[1].index = 0x2000;
+    return entries;
+}();
+
 struct emulated_joint {
     explicit emulated_joint(const ethercat::slave_description& is = cia402::drive_description<>) : description{is} {}
 
@@ -33,12 +40,16 @@ struct emulated_joint {
     [[nodiscard]] cia402::emulated_axis& axis() { return drive.axes[0]; }
     static bool has_clock() { return false; }
     void work(std::span<std::byte>, time_point now) { on_time(now); }
-    /// As emulated_drive::work, with the outputs of `other_drive_outputs`.
+    [[nodiscard]] bool has_outputs(const auto& entries) const { return description.outputs.data() == entries.data(); }
+    /// As emulated_drive::work, with the outputs of `other_drive_outputs` or `outputs_without_mode`.
     void work_otherwise(time_point now) {
         const bool operational = slave.state() == ethercat::al_state::op;
         if (slave.take_outputs() && operational) {
             std::vector<std::byte> outputs(slave.outputs().begin(), slave.outputs().end());
-            std::swap(outputs[2], outputs[3]);
+            if (has_outputs(other_drive_outputs))
+                std::swap(outputs[2], outputs[3]);
+            else
+                outputs[2] = static_cast<std::byte>(axis().values.mode_of_operation);
             drive.take(outputs);
         }
         axis().on_time(now, operational);
@@ -49,7 +60,7 @@ struct emulated_joint {
         slave.on_time(now);
         const bool is_up = slave.state() != ethercat::al_state::init;
         if (!std::exchange(was_up, is_up) && is_up) ++bring_ups;
-        if (description.outputs.data() == other_drive_outputs.data()) return work_otherwise(now);
+        if (has_outputs(other_drive_outputs) || has_outputs(outputs_without_mode)) return work_otherwise(now);
         drive.work(slave, now);
     }
 };

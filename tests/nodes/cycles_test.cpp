@@ -158,6 +158,23 @@ TEST_CASE("cyclic follows the reference clock of a bus, however busy the machine
     CHECK(one.wait_for("measured").contains("clock_error_median_us"));
 }
 
+TEST_CASE("the clocks of a long bus have the delays of its cables") {
+    constexpr std::int64_t cable = 2000, through = 300, resolution = 10; // ns; `through` each slave
+    robot r;
+    r.start_bus(r.link + words{"--slaves", "40", "--outputs", "2", "--clock", "64", "--cable", std::to_string(cable)});
+    auto& one = r.start_program("cyclic", words{"--ethercat-port", std::to_string(r.slave_port), "--period", "20000",
+                                                "--clocks", "--clock-limit", "6000", "--frame-timeout", "1000",
+                                                "--watchdog", "5000", "--seconds", "600"});
+    for (const int station : {1, 2, 20, 40}) {
+        const auto delay = one.wait_for("clock_set_up", {{"station", station}})["delay_ns"].get<std::int64_t>();
+        CAPTURE(station, delay);
+        CHECK(std::abs(delay - (station - 1) * (cable + through)) <= 2 * resolution);
+    }
+    one.wait_for("ready", {{"slaves", 40}});
+    one.signal(SIGINT);
+    one.wait_for("measured");
+}
+
 TEST_CASE("cyclic waits for clocks up to a limit, and says how far they are") {
     robot r;
     r.start_bus(r.link + words{"--slaves", "2", "--outputs", "2", "--clock", "64"});
