@@ -9,8 +9,10 @@
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/text/jaus.hpp>
 #include <jauscat/text/packet_status_text.hpp>
+#include <jauscat/version.hpp>
 
 #include <iostream>
+#include <string_view>
 
 namespace {
 
@@ -64,7 +66,9 @@ int failed(std::string_view why) {
 
 } // namespace
 
-int main() {
+int main(int argc, char** argv) {
+    if (argc == 2 && std::string_view{argv[1]} == "--version")
+        return std::cout << "private_message (JausCat) " << JAUSCAT_VERSION_TEXT << '\n', 0;
     const gripper::set_gripper command{.finger = 0, .opening = 80.0, .force = 20.0};
     std::array<std::byte, jaus::header_size + wire::max_size<gripper::set_gripper>> message{};
     const auto made = jaus::make_message({.ack_nak = jaus::ack_nak::request,

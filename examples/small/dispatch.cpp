@@ -5,15 +5,19 @@
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/text/jaus.hpp>
+#include <jauscat/version.hpp>
 #include <jauscat/wire/raw.hpp>
 
 #include <array>
 #include <iostream>
+#include <string_view>
 
 namespace jaus = jauscat::jaus;
 namespace text = jauscat::text;
 
-int main() {
+int main(int argc, char** argv) {
+    if (argc == 2 && std::string_view{argv[1]} == "--version")
+        return std::cout << "dispatch (JausCat) " << JAUSCAT_VERSION_TEXT << '\n', 0;
     using speed = jauscat::wire::raw<jaus::set_travel_speed>; // this one as the integer of the wire
     jaus::dispatcher vehicle{
         jaus::on<jaus::set_wrench_effort>([](const jaus::header&, const jaus::set_wrench_effort& command) {

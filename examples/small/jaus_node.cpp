@@ -3,17 +3,21 @@
 #include <jauscat/jauscat.hpp>
 #include <jauscat/net.hpp>
 #include <jauscat/text/jaus.hpp>
+#include <jauscat/version.hpp>
 
 #include <boost/asio/signal_set.hpp>
 
 #include <csignal>
 #include <iostream>
+#include <string_view>
 
 namespace jaus = jauscat::jaus;
 namespace net = jauscat::net;
 using state = jaus::primary_status_code;
 
 int main(int argc, char** argv) try {
+    if (argc == 2 && std::string_view{argv[1]} == "--version")
+        return std::cout << "jaus_node (JausCat) " << JAUSCAT_VERSION_TEXT << '\n', 0;
     if (argc != 3) return std::cerr << "jaus_node CONFIGURATION SYSTEM, such as JausConfig.xml b\n", 2;
     boost::asio::io_context context;
     using orders = jaus::message_list<jaus::set_wrench_effort, jaus::query_wrench_effort>;

@@ -5,16 +5,20 @@
 #include <jauscat/jaus/large_data/reassembler.hpp>
 #include <jauscat/net/now.hpp>
 #include <jauscat/schema/jaus/environment_sensor.hpp>
+#include <jauscat/version.hpp>
 #include <jauscat/wire/wire.hpp>
 
 #include <array>
 #include <iostream>
+#include <string_view>
 #include <vector>
 
 namespace jaus = jauscat::jaus;
 using namespace std::chrono_literals;
 
-int main() {
+int main(int argc, char** argv) {
+    if (argc == 2 && std::string_view{argv[1]} == "--version")
+        return std::cout << "large_data (JausCat) " << JAUSCAT_VERSION_TEXT << '\n', 0;
     // Report Image, with a picture of 15000 bytes.
     const std::vector<std::byte> picture(15000, std::byte{0x5A});
     const jaus::report_image image{.camera_id = 1, .image_data = picture};

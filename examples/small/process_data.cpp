@@ -5,8 +5,10 @@
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/link/cycle_runner.hpp>
 #include <jauscat/net/link/run_master.hpp>
+#include <jauscat/version.hpp>
 
 #include <iostream>
+#include <string_view>
 
 namespace ethercat = jauscat::ethercat;
 namespace net = jauscat::net;
@@ -22,7 +24,9 @@ struct no_objects {
     }
 };
 
-int main() {
+int main(int argc, char** argv) {
+    if (argc == 2 && std::string_view{argv[1]} == "--version")
+        return std::cout << "process_data (JausCat) " << JAUSCAT_VERSION_TEXT << '\n', 0;
     // The slave: one byte of outputs, one of inputs.
     constexpr std::uint8_t unsigned8 = 0x05;
     constexpr ethercat::pdo_entry target{0x7000, 1, 8, unsigned8, "target"}, actual{0x6000, 1, 8, unsigned8, "actual"};

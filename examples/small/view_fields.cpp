@@ -3,15 +3,19 @@
 #include <jauscat/schema/jaus/header.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/text/value.hpp>
+#include <jauscat/version.hpp>
 #include <jauscat/wire/view.hpp>
 
 #include <array>
 #include <iostream>
+#include <string_view>
 
 namespace jaus = jauscat::jaus;
 namespace wire = jauscat::wire;
 
-int main() {
+int main(int argc, char** argv) {
+    if (argc == 2 && std::string_view{argv[1]} == "--version")
+        return std::cout << "view_fields (JausCat) " << JAUSCAT_VERSION_TEXT << '\n', 0;
     // A Set Wrench Effort for 2.2.33.1: half of the force forward, and a quarter of the resistance.
     constexpr std::array<unsigned char, 21> octets{0x06, 0x02, 0x05, 0x04, 1,    33,   2,    2,    1,    32,  1,
                                                    1,    5,    0,    0x22, 0x00, 0x41, 0x00, 0x00, 0x40, 0x40};
