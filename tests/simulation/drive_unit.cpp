@@ -4,6 +4,7 @@
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -33,7 +34,7 @@ template <std::size_t Axes> class drive_of final : public drive_unit {
     void on_time(time now) override {
         slave_->work();
         slave_->on_time(jauscat::time_point{now});
-        drive_.work(*slave_, jauscat::time_point{now});
+        work(jauscat::time_point{now});
         look(now);
     }
     std::size_t axis_count() const noexcept override { return Axes; }
@@ -45,6 +46,18 @@ template <std::size_t Axes> class drive_of final : public drive_unit {
     }
 
   private:
+    void work(jauscat::time_point now) noexcept {
+        if (!is_deaf()) return drive_.work(*slave_, now);
+        const bool is_operational = slave_->state() == ethercat::al_state::op;
+        if (slave_->take_outputs() && is_operational) {
+            std::array<std::uint16_t, Axes> words{};
+            for (std::size_t i = 0; i != Axes; ++i) words[i] = drive_.axes[i].values.controlword;
+            drive_.take(slave_->outputs());
+            for (std::size_t i = 0; i != Axes; ++i) drive_.axes[i].values.controlword = words[i];
+        }
+        drive_.work(*slave_, now); // without new outputs
+    }
+
     ethercat::slave_description description_;
     cia402::emulated_drive<Axes> drive_{};
     ethercat::standard_objects dictionary_{description_, drive_};

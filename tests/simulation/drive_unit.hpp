@@ -20,6 +20,8 @@ class drive_unit : public device {
   public:
     [[nodiscard]] virtual std::size_t axis_count() const noexcept = 0;
     [[nodiscard]] virtual cia402::emulated_axis& axis(std::size_t i) noexcept = 0;
+    /// While it is, its axes keep the controlwords that they have.
+    void set_deaf(bool deaf) noexcept { is_deaf_ = deaf; }
     /// Needs a reset before it moves again.
     [[nodiscard]] virtual bool has_fault() const noexcept = 0;
     /// Whether an axis has had this velocity, in its units, at some instant since then.
@@ -31,6 +33,7 @@ class drive_unit : public device {
         : moved_{std::move(moved)}, first_joint_{first_joint}, seen_(axes) {}
     /// To be called whenever an axis may have changed.
     void look(time now);
+    [[nodiscard]] bool is_deaf() const noexcept { return is_deaf_; }
 
   private:
     struct seen {
@@ -43,6 +46,7 @@ class drive_unit : public device {
     std::function<void(std::size_t, command_number)> moved_;
     std::size_t first_joint_;
     std::vector<seen> seen_;
+    bool is_deaf_{};
 };
 
 /// A drive of 1 or 2 axes; with a clock it is in OP only while it has SYNC signals.

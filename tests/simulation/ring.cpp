@@ -17,7 +17,7 @@ constexpr std::array ring_faults{fault::cable_out,    fault::slave_frozen,     f
                                  fault::slave_aborts, fault::slave_falls_back, fault::mailbox_recounted,
                                  fault::other_master, fault::unknown_state};
 constexpr std::array rough_faults{fault::slaves_swapped, fault::station_doubled};
-constexpr std::array drive_faults{fault::drive_fault, fault::drive_unpowered};
+constexpr std::array drive_faults{fault::drive_fault, fault::drive_unpowered, fault::drive_deaf};
 
 } // namespace
 
@@ -286,7 +286,8 @@ void ring::suffer(fault kind) {
         break;
     }
     case fault::drive_fault:
-    case fault::drive_unpowered: return suffer_of_drive(kind, i, some);
+    case fault::drive_unpowered:
+    case fault::drive_deaf: return suffer_of_drive(kind, i, some);
     default:
         if (at.state_is_unknown) return;
         at.state_is_unknown = true;
@@ -323,13 +324,17 @@ void ring::suffer_of_drive(fault kind, std::size_t i, time some) {
     auto& random = world_.faults.random(kind);
     constexpr std::array codes{cia402::error_codes::over_current, cia402::error_codes::following_error};
     auto& hurt = at.drive->axis(random.below(at.drive->axis_count())).disturbed;
-    if (kind == fault::drive_fault)
-        hurt.fault = codes[random.below(codes.size())];
-    else
-        hurt.no_voltage = true;
+    switch (kind) {
+    case fault::drive_fault: hurt.fault = codes[random.below(codes.size())]; break;
+    case fault::drive_unpowered: hurt.no_voltage = true; break;
+    default: at.drive->set_deaf(true);
+    }
     at.has_drive_fault = true;
     at.disturbed_at = world_.now();
-    tell(i, kind == fault::drive_fault ? ring_deed::drive_fault : ring_deed::unpowered,
+    tell(i,
+         kind == fault::drive_fault       ? ring_deed::drive_fault
+         : kind == fault::drive_unpowered ? ring_deed::unpowered
+                                          : ring_deed::deaf,
          static_cast<std::uint32_t>(some / milliseconds{1}));
     world_.in(some, *this, repair, static_cast<std::uint32_t>(kind) << 8U | static_cast<std::uint32_t>(i));
 }
@@ -367,7 +372,9 @@ void ring::mend(fault kind, std::size_t i) {
         break;
     case fault::drive_fault:
     case fault::drive_unpowered:
+    case fault::drive_deaf:
         at.has_drive_fault = false;
+        at.drive->set_deaf(false);
         for (std::size_t k = 0; k != at.drive->axis_count(); ++k) at.drive->axis(k).disturbed = {};
         tell(i, ring_deed::repaired);
         break;

@@ -37,6 +37,7 @@ enum class ring_deed : std::uint16_t {
     doubled,       ///< the actor whose station address it gets
     drive_fault,   ///< milliseconds that its cause is there
     unpowered,     ///< milliseconds that the power stage has no supply
+    deaf,          ///< milliseconds that it ignores controlwords
     repaired,      //
 };
 
