@@ -298,7 +298,7 @@ int list(const boost::program_options::variables_map& values) {
     for (const auto& each : file.devices())
         std::cout << padded(std::to_string(number++), 6) << "  " << hex(each.product_code, 8) << "  "
                   << hex(each.revision, 8) << "  " << padded(each.type, width) << "  " << each.name << '\n';
-    const auto modules = or_throw(file.modules());
+    const auto modules = file.modules();
     for (const auto& each : modules) {
         std::cout << "module  " << hex(each.ident, 8) << "  " << padded(each.module_class, 10) << "  "
                   << padded(each.type, width) << "  " << each.name << '\n';

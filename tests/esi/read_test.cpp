@@ -192,7 +192,13 @@ TEST_CASE("one of several devices is chosen by product code, revision or number"
     CHECK(esi::parse_esi(one, "sample.xml", {.product = 0x21, .revision = 0x10003}));
     CHECK(!esi::parse_esi(one, "sample.xml", {.product = 0x21, .revision = 1}));
     CHECK(!esi::esi_file{}.read());
-    CHECK(esi::esi_file{}.modules()->empty());
+    // A number that cannot be read costs its device alone.
+    const auto damaged = esi::esi_file::parse(
+        replaced(one, "</Devices>", replaced(second, "\"5\"", "\"five\"") + third + "</Devices>"), "sample.xml");
+    REQUIRE(damaged);
+    CHECK(damaged->read({.number = 1}).error().code == esi::errc::invalid_value);
+    CHECK(damaged->read({.product = 0x22, .revision = 8})->revision == 8);
+    CHECK(esi::esi_file{}.modules().empty());
 }
 
 TEST_CASE("what vendors leave out has no value, and costs nothing") {
@@ -298,13 +304,13 @@ TEST_CASE("modules are read with their PDOs") {
                                 "<Index DependOnSlot=\"1\">#x6000</Index><SubIndex>1</SubIndex><BitLen>8</BitLen>"
                                 "<Name>bits</Name><DataType>USINT</DataType></Entry></TxPdo>"
                                 "<RxPdo><Name>no index</Name></RxPdo></Module>"
-                                "<Module><Type ModuleIdent=\"32\"/></Module></Modules>";
+                                "<Module><Type ModuleIdent=\"32\"/></Module>"
+                                "<Module><Type ModuleIdent=\"x\"/></Module></Modules>";
     const auto file = esi::esi_file::parse(replaced(sample_esi(), "</Devices>", "</Devices>" + modules), "sample.xml");
     REQUIRE(file);
     const auto read = file->modules();
-    REQUIRE(read);
-    REQUIRE(read->size() == 2);
-    const auto& first = read->front();
+    REQUIRE(read.size() == 3);
+    const auto& first = read.front();
     CHECK(first.ident == 0x10);
     CHECK(first.module_class == "IO");
     CHECK(first.type == "DI8");
@@ -317,7 +323,8 @@ TEST_CASE("modules are read with their PDOs") {
                .entries = {{.index = 0x6000, .subindex = 1, .bits = 8, .name = "bits", .type = "USINT"}}}});
     REQUIRE(first.slips.size() == 1);
     CHECK(first.slips[0].code == esi::errc::missing);
-    CHECK(read->back().ident == 32);
+    CHECK(read[1].ident == 32);
+    CHECK(read[2].slips.size() == 1);
     CHECK(*file->read() == test::sample_device());
 }
 

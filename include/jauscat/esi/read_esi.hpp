@@ -31,8 +31,8 @@ struct device_choice {
 
 /// A device as a list shows it.
 struct device_summary {
-    std::uint32_t product_code{}; ///< 0: not stated
-    std::uint32_t revision{};     ///< 0: not stated
+    std::uint32_t product_code{}; ///< 0: not stated, or no number
+    std::uint32_t revision{};     ///< 0: not stated, or no number
     std::string type{};           ///< short name, such as an order number
     std::string name{};           ///< for display
     std::size_t line{};           ///< of the file, from 1
@@ -50,7 +50,7 @@ class esi_file {
     esi_file() = default;
     /// Errors: unreadable, and those of `parse`.
     [[nodiscard]] JAUSCAT_DECL static result<esi_file, error> open(const std::filesystem::path& path);
-    /// `source` is the file's name in messages. Errors: not_xml, not_esi; invalid_value of a product code or revision.
+    /// `source` is the file's name in messages. Errors: not_xml, not_esi.
     [[nodiscard]] JAUSCAT_DECL static result<esi_file, error> parse(std::string_view text, std::string source);
 
     /// All of them, in the order of the file.
@@ -59,7 +59,7 @@ class esi_file {
     /// out has no value. What a slip of the file costs, an object or a PDO, is in `device::slips`.
     [[nodiscard]] JAUSCAT_DECL result<device, error> read(const device_choice& choice = {}) const;
     /// Reads all modules.
-    [[nodiscard]] JAUSCAT_DECL result<std::vector<module_description>, error> modules() const;
+    [[nodiscard]] JAUSCAT_DECL std::vector<module_description> modules() const;
 
   private:
     JAUSCAT_DECL explicit esi_file(std::shared_ptr<const detail::esi_reader> reader);

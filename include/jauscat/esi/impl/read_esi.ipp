@@ -240,12 +240,16 @@ class esi_reader : xml_source {
         for (const auto each : devices()) nodes_.push_back(each);
     }
 
+    // A number that cannot be read is 0 here, and an error of its device alone.
     std::vector<device_summary> list() const {
         std::vector<device_summary> made;
         for (const auto each : nodes_) {
             const auto type = each.child("Type");
-            made.push_back({.product_code = number(type, "ProductCode"),
-                            .revision = number(type, "RevisionNo"),
+            const auto number = [&](const char* name) {
+                return parse_number_liberally(type.attribute(name).value()).value_or(0);
+            };
+            made.push_back({.product_code = number("ProductCode"),
+                            .revision = number("RevisionNo"),
                             .type = text(type),
                             .name = name_in(each),
                             .line = line_of(each)});
@@ -293,10 +297,9 @@ class esi_reader : xml_source {
         std::vector<module_description> made;
         for (const auto node : root().child("Descriptions").child("Modules").children("Module")) {
             const auto type = node.child("Type");
-            auto& each = made.emplace_back(module_description{.ident = number(type, "ModuleIdent"),
-                                                              .module_class = type.attribute("ModuleClass").value(),
-                                                              .type = text(type),
-                                                              .name = name_in(node)});
+            auto& each = made.emplace_back(module_description{
+                .module_class = type.attribute("ModuleClass").value(), .type = text(type), .name = name_in(node)});
+            read_or_slip(each.slips, [&] { each.ident = number(type, "ModuleIdent"); });
             read_pdos(each.rx_pdos, each.slips, node, "RxPdo");
             read_pdos(each.tx_pdos, each.slips, node, "TxPdo");
         }
@@ -563,9 +566,8 @@ JAUSCAT_DECL result<device, error> esi_file::read(const device_choice& choice) c
     return detail::caught([&] { return reader_->read(devices_, choice); });
 }
 
-JAUSCAT_DECL result<std::vector<module_description>, error> esi_file::modules() const {
-    if (reader_ == nullptr) return std::vector<module_description>{};
-    return detail::caught([&] { return reader_->modules(); });
+JAUSCAT_DECL std::vector<module_description> esi_file::modules() const {
+    return reader_ == nullptr ? std::vector<module_description>{} : reader_->modules();
 }
 
 JAUSCAT_DECL result<device, error> parse_esi(std::string_view text, std::string source, const device_choice& choice) {
