@@ -416,7 +416,8 @@ TEST_CASE("many slaves are found and taken to OP in about as many frames as the 
     const auto by_jobs = [&] {
         emulated_bus ring{slaves};
         const auto link = net::open_link(ring.where());
-        const auto master = std::make_unique<ethercat::master_for<count>>();
+        const auto master = std::make_unique<ethercat::master_for<count>>(
+            ethercat::master_config{.frame_timeout = jauscat::test::frame_timeout});
         const auto run = [&](const auto& job) { REQUIRE(net::run(*link, *master, job)); };
         run(ethercat::scan{});
         std::vector<ethercat::bring_up_place> up;
