@@ -69,14 +69,14 @@ JAUSCAT_DECL std::string hex_bytes(std::span<const std::byte> bytes) {
     return text;
 }
 
-JAUSCAT_DECL std::optional<std::vector<std::byte>> parse_bytes(std::string_view with_space) {
+JAUSCAT_DECL std::optional<std::vector<std::byte>> parse_bytes(std::string_view text) {
     std::vector<std::byte> bytes;
-    const auto digits = without_space(with_space);
+    const auto digits = without_space(text);
     if (digits.size() % 2 != 0) return std::nullopt;
-    for (std::string_view text{digits}; !text.empty(); text.remove_prefix(2)) {
+    for (std::string_view rest{digits}; !rest.empty(); rest.remove_prefix(2)) {
         unsigned byte{};
-        const auto [stop, error] = std::from_chars(text.data(), text.data() + 2, byte, 16);
-        if (error != std::errc{} || stop != text.data() + 2) return std::nullopt;
+        const auto [stop, error] = std::from_chars(rest.data(), rest.data() + 2, byte, 16);
+        if (error != std::errc{} || stop != rest.data() + 2) return std::nullopt;
         bytes.push_back(static_cast<std::byte>(byte));
     }
     return bytes;
@@ -98,7 +98,7 @@ JAUSCAT_DECL std::string octet_string_type(std::size_t bytes) { return "OCTET_ST
 
 JAUSCAT_DECL std::string string_type(std::size_t characters) { return "STRING(" + std::to_string(characters) + ')'; }
 
-JAUSCAT_DECL std::optional<std::vector<std::byte>> parse_value(std::string_view written, std::string_view type) {
+JAUSCAT_DECL std::optional<std::vector<std::byte>> parse_value(std::string_view text, std::string_view type) {
     const auto* const found = std::ranges::find(sized_types, type, [](const auto& each) { return each.first; });
     if (found == sized_types.end()) return std::nullopt;
     const auto bits = found->second;
@@ -109,20 +109,19 @@ JAUSCAT_DECL std::optional<std::vector<std::byte>> parse_value(std::string_view 
         const auto [stop, error] = std::from_chars(digits.data(), end, into, base...);
         return error == std::errc{} && stop == end;
     };
-    const auto spaceless = without_space(written);
-    std::string_view text{spaceless};
+    const auto number = without_space(text);
     if (type == "REAL" || type == "LREAL") {
         double real{};
-        if (!parsed(text, real)) return std::nullopt;
+        if (!parsed(number, real)) return std::nullopt;
         value = type == "LREAL" ? std::bit_cast<std::uint64_t>(real)
                                 : std::bit_cast<std::uint32_t>(static_cast<float>(real));
-    } else if (text.starts_with('-')) {
+    } else if (number.starts_with('-')) {
         std::int64_t negative{};
-        if (!parsed(text, negative) || negative >> (bits - 1) != -1) return std::nullopt;
+        if (!parsed(number, negative) || negative >> (bits - 1) != -1) return std::nullopt;
         value = static_cast<std::uint64_t>(negative);
     } else {
-        const bool hex = text.starts_with("#x");
-        if (!parsed(text.substr(hex ? 2 : 0), value, hex ? 16 : 10)) return std::nullopt;
+        const bool hex = number.starts_with("#x");
+        if (!parsed(std::string_view{number}.substr(hex ? 2 : 0), value, hex ? 16 : 10)) return std::nullopt;
         if (bits < 64 && value >> bits != 0) return std::nullopt;
     }
     std::vector<std::byte> bytes((bits + 7) / 8);
