@@ -10,6 +10,7 @@
 #include <jauscat/esi/read_esi.hpp>
 #include <jauscat/esi/text_values.hpp>
 #include <jauscat/esi/write_esi.hpp>
+#include <jauscat/text/hex.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -21,6 +22,7 @@ namespace {
 namespace bridging = jauscat::bridging;
 namespace catalogue = jauscat::catalogue;
 namespace esi = jauscat::esi;
+using jauscat::text::hex_number;
 
 constexpr const char* help =
     R"(jauscat-esi: writes an ESI file (EtherCAT Slave Information) and an SII, or checks a file.
@@ -227,18 +229,16 @@ esi::device read(const boost::program_options::variables_map& values) {
     return or_throw(esi::read_esi(values["from"].as<std::string>(), choice_of(values)));
 }
 
-std::string hex(std::uint32_t value, std::size_t digits) { return "0x" + esi::hex_number(value, digits).substr(2); }
-
 void print_pdos(const std::vector<esi::pdo>& pdos, const char* direction) {
     for (const auto& each : pdos) {
-        std::cout << direction << " " << hex(each.index, 4) << " \"" << each.name << "\", "
+        std::cout << direction << " " << hex_number(each.index, 4) << " \"" << each.name << "\", "
                   << (each.sync_manager == esi::not_assigned ? std::string{"not assigned"}
                                                              : "SyncManager " + std::to_string(each.sync_manager))
                   << (each.fixed ? ", fixed" : "") << (each.mandatory ? ", mandatory" : "") << '\n';
         for (const auto& entry : each.entries)
             std::cout << "  " << padded(std::to_string(entry.bits) + " bits", 10)
                       << (entry.index == 0 ? "gap"
-                                           : hex(entry.index, 4) + ':' + std::to_string(entry.subindex) + "  " +
+                                           : hex_number(entry.index, 4) + ':' + std::to_string(entry.subindex) + "  " +
                                                  padded(entry.type, 8) + "  " + entry.name)
                       << '\n';
     }
@@ -251,8 +251,8 @@ void print_slips(const std::vector<esi::error>& slips) {
 
 void print_device(const esi::device& device) {
     std::cout << device.type << " \"" << device.name << "\" of \"" << device.vendor_name << "\", vendor "
-              << hex(device.vendor_id, 8) << ", product " << hex(device.product_code, 8) << ", revision "
-              << hex(device.revision, 8) << '\n';
+              << hex_number(device.vendor_id, 8) << ", product " << hex_number(device.product_code, 8) << ", revision "
+              << hex_number(device.revision, 8) << '\n';
     std::string protocols = device.has_coe ? "CoE" : "";
     for (const auto& each : device.protocols) protocols += (protocols.empty() ? "" : ", ") + each;
     std::cout << "mailbox: " << (protocols.empty() ? "none" : protocols) << '\n';
@@ -262,22 +262,23 @@ void print_device(const esi::device& device) {
             std::ranges::find(esi::sync_manager_uses, each.use, [](const auto& known) { return known.first; });
         std::cout << "SyncManager " << i << ": "
                   << (use == esi::sync_manager_uses.end() ? std::string_view{"no use"} : use->second) << ", start "
-                  << hex(each.start, 4) << ", " << each.default_size << " bytes, control " << hex(each.control, 2)
-                  << '\n';
+                  << hex_number(each.start, 4) << ", " << each.default_size << " bytes, control "
+                  << hex_number(each.control, 2) << '\n';
     }
     print_pdos(device.rx_pdos, "outputs");
     print_pdos(device.tx_pdos, "inputs");
     for (const auto& each : device.clock_modes)
-        std::cout << "clock mode \"" << each.name << "\": AssignActivate " << hex(each.assign_activate, 4) << '\n';
+        std::cout << "clock mode \"" << each.name << "\": AssignActivate " << hex_number(each.assign_activate, 4)
+                  << '\n';
     for (const auto& each : device.start_up) {
-        std::cout << "start-up object " << hex(each.index, 4) << ':' << int{each.subindex} << " = "
+        std::cout << "start-up object " << hex_number(each.index, 4) << ':' << int{each.subindex} << " = "
                   << esi::hex_bytes(each.data);
         for (const auto& transition : each.transitions) std::cout << ' ' << transition;
         std::cout << (each.comment.empty() ? "" : "  " + each.comment) << '\n';
     }
     for (const auto& each : device.slots) {
         std::cout << "slot \"" << each.name << "\", " << each.min_instances << " to " << each.max_instances << ":";
-        for (const auto ident : each.module_idents) std::cout << ' ' << hex(ident, 8);
+        for (const auto ident : each.module_idents) std::cout << ' ' << hex_number(ident, 8);
         for (const auto& name : each.module_classes) std::cout << ' ' << name;
         std::cout << '\n';
     }
@@ -296,11 +297,11 @@ int list(const boost::program_options::variables_map& values) {
     for (const auto& each : file.devices()) width = std::max(width, each.type.size());
     if (!file.devices().empty()) std::cout << "device  product     revision    " << padded("type", width) << "  name\n";
     for (const auto& each : file.devices())
-        std::cout << padded(std::to_string(number++), 6) << "  " << hex(each.product_code, 8) << "  "
-                  << hex(each.revision, 8) << "  " << padded(each.type, width) << "  " << each.name << '\n';
+        std::cout << padded(std::to_string(number++), 6) << "  " << hex_number(each.product_code, 8) << "  "
+                  << hex_number(each.revision, 8) << "  " << padded(each.type, width) << "  " << each.name << '\n';
     const auto modules = file.modules();
     for (const auto& each : modules) {
-        std::cout << "module  " << hex(each.ident, 8) << "  " << padded(each.module_class, 10) << "  "
+        std::cout << "module  " << hex_number(each.ident, 8) << "  " << padded(each.module_class, 10) << "  "
                   << padded(each.type, width) << "  " << each.name << '\n';
         print_slips(each.slips);
     }

@@ -40,7 +40,8 @@ struct bench {
         REQUIRE_FALSE(start());
     }
     /// It is not started.
-    bench(bool thread, const std::vector<ethercat::slave_description>& slaves) : ring{slaves} {
+    bench(bool thread, const std::vector<ethercat::slave_description>& slaves, duration timeout = bus_options{}.timeout)
+        : ring{slaves} {
         for (std::size_t i = 0; i != slaves.size(); ++i)
             ring.with(i, [](auto& each) {
                 if (each.description.outputs.empty()) return;
@@ -50,7 +51,8 @@ struct bench {
                 };
             });
         bus.emplace(context, ring.where(),
-                    bus_options{.check_interval = 20ms,
+                    bus_options{.timeout = timeout,
+                                .check_interval = 20ms,
                                 .frame_timeout = jauscat::test::frame_timeout,
                                 .thread = thread,
                                 .log = [this](std::string_view line) { lines.emplace_back(line); }});
@@ -439,7 +441,7 @@ TEST_CASE("many slaves are found and taken to OP in about as many frames as the 
         return ring.frames();
     }();
     const bool thread = GENERATE(false, true);
-    bench b{thread, slaves};
+    bench b{thread, slaves, 60s}; // with sanitizers each frame through all takes 10 ms
     REQUIRE_FALSE(b.start());
     for (const auto& each : b.bus->slaves()) CHECK(each.name == "drive");
     std::size_t running = 0;
@@ -450,8 +452,7 @@ TEST_CASE("many slaves are found and taken to OP in about as many frames as the 
                 ++running;
             });
     REQUIRE(b.until([&] { return running == count; }));
-    // One by one it takes ten times as many. On a busy machine frames are sent again, and cycles go on meanwhile.
-    CHECK(b.ring.frames() < by_jobs * 3);
+    CHECK(b.ring.frames() < by_jobs * 3 / 2); // one by one it takes ten times as many
 }
 
 TEST_CASE("one of several slaves that does not take a state does not keep the others from it") {

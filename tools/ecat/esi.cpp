@@ -6,6 +6,7 @@
 #include "ecat/sii.hpp"
 #include "ecat/value.hpp"
 #include <jauscat/esi/read_esi.hpp>
+#include <jauscat/esi/text_values.hpp>
 
 #include <algorithm>
 #include <iostream>
@@ -117,14 +118,12 @@ void compare_pdos(comparison& to, const files::device& file, const process_objec
             to.add("PDO " + hex(pdo.index, 4), absent, entries_text(pdo.sync_manager, pdo.entries));
 }
 
-/// Of a text, which has a largest size in the file, and its own at the slave.
-bool is_text(const std::string& type) { return type.starts_with("STRING") || type.starts_with("VISIBLE_STRING"); }
-
 void compare_object(comparison& to, const files::object& file, coe_mailbox& mailbox) {
     std::string ours, theirs;
     for (const auto& entry : file.entries) {
         const auto about = mailbox.try_describe(file.index, entry.subindex);
-        const auto fits = about && is_text(entry.type) && about->is.bits <= entry.bit_size;
+        // A text has a largest size in the file, and its own at the slave.
+        const auto fits = about && files::is_string_type(entry.type) && about->is.bits <= entry.bit_size;
         const auto place = (ours.empty() ? "" : ", ") + hex(entry.subindex, 2).substr(2) + "/";
         const auto size = std::to_string(entry.bit_size);
         ours += place + size;

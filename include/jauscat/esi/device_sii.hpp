@@ -3,6 +3,7 @@
 
 #include <jauscat/base/compilation.hpp>
 #include <jauscat/esi/device.hpp>
+#include <jauscat/schema/ethercat/sii.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +11,9 @@
 
 namespace jauscat::esi {
 inline namespace JAUSCAT_WAY {
+
+/// Words 0 to 7 of the SII, by ConfigData; without it an on-chip bus. The checksum is that of the other words.
+[[nodiscard]] JAUSCAT_DECL ethercat::sii_configuration configuration_of(const eeprom& memory);
 
 /// Bytes of process data that a SyncManager of a device has at first: its PDOs, or, without any, its default size.
 [[nodiscard]] JAUSCAT_DECL std::size_t data_size(const device& of, std::size_t manager);

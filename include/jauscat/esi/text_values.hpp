@@ -98,6 +98,12 @@ JAUSCAT_DECL std::string string_type(std::size_t characters);
 /// ARRAY [0..n] OF one of `sized_types`.
 [[nodiscard]] JAUSCAT_DECL std::optional<std::uint32_t> bits_of(std::string_view type);
 
+/// Whether it is STRING(n) or VISIBLE_STRING(n).
+[[nodiscard]] JAUSCAT_DECL bool is_string_type(std::string_view type);
+
+/// The `size` low bytes of a value, the lowest first.
+[[nodiscard]] JAUSCAT_DECL std::vector<std::byte> little_endian(std::uint64_t value, std::size_t size);
+
 /// Content of an Sm element, by use.
 inline constexpr std::array<std::pair<ethercat::sii_sync_manager_use, std::string_view>, 4> sync_manager_uses{
     {{ethercat::sii_sync_manager_use::mailbox_out, "MBoxOut"},

@@ -124,19 +124,19 @@ JAUSCAT_DECL void drive_state::settle(time_point now) {
 /// target before; where the motor is, its feedback says.
 JAUSCAT_DECL bool drive_state::is_at_target() const {
     if (!axis_.is_target_reached()) return false;
-    const auto is_within = [&](double is, double wanted, double window, double least) {
-        return std::abs(is - wanted) <= std::max(window, least);
+    const auto is_within = [](double value, double target, double window) {
+        return std::abs(value - target) <= std::max(window, 1.0); // a unit of the drive at least
     };
     switch (axis_.targets().mode) {
     case cia402::mode::cyclic_synchronous_position: {
         const double window = options_.position_window != 0 ? options_.position_window : options_.max_velocity / 1000;
-        return !axis_.feedback().has_position || is_within(axis_.feedback().position, axis_.targets().position,
-                                                           window * std::abs(options_.increments), 1);
+        return !axis_.feedback().has_position ||
+               is_within(axis_.feedback().position, axis_.targets().position, window * std::abs(options_.increments));
     }
     case cia402::mode::profile_velocity:
     case cia402::mode::cyclic_synchronous_velocity: {
         const double window = options_.velocity_window != 0 ? options_.velocity_window : options_.max_velocity / 100;
-        return is_within(axis_.velocity(), axis_.targets().velocity, window * std::abs(velocity_units_), 1);
+        return is_within(axis_.velocity(), axis_.targets().velocity, window * std::abs(velocity_units_));
     }
     default: return true; // the drive's own bit
     }

@@ -156,18 +156,7 @@ class device_sii_writer {
     }
 
     void put_fixed_words() {
-        ethercat::sii_configuration configuration{.pdi_control = ethercat::sii_pdi_control};
-        if (!device_.eeprom.config_data.empty()) {
-            std::array<std::byte, wire::max_size<ethercat::sii_configuration>> words{};
-            std::ranges::copy_n(device_.eeprom.config_data.begin(),
-                                static_cast<std::ptrdiff_t>(
-                                    std::min(device_.eeprom.config_data.size(), ethercat::sii_configuration_checked)),
-                                words.begin());
-            static_cast<void>(wire::decode(configuration, words));
-        }
-        put_at(ethercat::sii_words::configuration, configuration);
-        configuration.checksum = ethercat::sii_checksum(std::span{made_}.first(ethercat::sii_configuration_checked));
-        put_at(ethercat::sii_words::configuration, configuration);
+        put_at(ethercat::sii_words::configuration, configuration_of(device_.eeprom));
         put_at(ethercat::sii_words::identity,
                ethercat::sii_identity{device_.vendor_id, device_.product_code, device_.revision, device_.serial});
         constexpr std::size_t bootstrap_word = 0x14, bootstrap_size = 8;
@@ -202,6 +191,21 @@ class device_sii_writer {
 } // namespace detail
 
 inline namespace JAUSCAT_WAY {
+
+JAUSCAT_DECL ethercat::sii_configuration configuration_of(const eeprom& memory) {
+    ethercat::sii_configuration made{.pdi_control = ethercat::sii_pdi_control};
+    std::array<std::byte, wire::max_size<ethercat::sii_configuration>> words{};
+    const auto checked = std::span{words}.first(ethercat::sii_configuration_checked);
+    if (memory.config_data.empty()) {
+        static_cast<void>(wire::encode(made, words));
+    } else {
+        const auto given = std::min(memory.config_data.size(), checked.size());
+        std::ranges::copy_n(memory.config_data.begin(), static_cast<std::ptrdiff_t>(given), words.begin());
+        static_cast<void>(wire::decode(made, words));
+    }
+    made.checksum = ethercat::sii_checksum(checked);
+    return made;
+}
 
 JAUSCAT_DECL std::size_t data_size(const device& of, std::size_t manager) {
     std::size_t bits = 0;

@@ -7,10 +7,8 @@
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
 #include <jauscat/schema/ethercat/sii.hpp>
-#include <jauscat/wire/decode.hpp>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace jauscat::esi {
@@ -72,18 +70,11 @@ JAUSCAT_DECL std::size_t emulated_device::transfer_size() const noexcept {
 }
 
 JAUSCAT_DECL void emulated_device::read_identity() {
-    std::array<std::byte, wire::max_size<ethercat::sii_configuration>> words{};
-    std::ranges::copy_n(
-        device_.eeprom.config_data.begin(),
-        static_cast<std::ptrdiff_t>(std::min(device_.eeprom.config_data.size(), ethercat::sii_configuration_checked)),
-        words.begin());
-    ethercat::sii_configuration configuration{};
-    static_cast<void>(wire::decode(configuration, words));
     description_ = {.vendor = device_.vendor_id,
                     .product = device_.product_code,
                     .revision = device_.revision,
                     .serial = device_.serial,
-                    .station_alias = configuration.station_alias,
+                    .station_alias = configuration_of(device_.eeprom).station_alias,
                     .mailbox_out_size = 0,
                     .mailbox_in_size = 0,
                     .name = device_.name};

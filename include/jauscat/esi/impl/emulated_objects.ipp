@@ -12,15 +12,14 @@ namespace jauscat::esi {
 
 namespace detail {
 
-inline bool is_text_type(std::string_view type) {
-    return type.starts_with("STRING(") || type.starts_with("VISIBLE_STRING(") || type.starts_with("UNICODE_STRING(") ||
-           type.starts_with("OCTET_STRING(");
+/// Values of these types may be shorter than the type.
+inline bool has_any_length(std::string_view type) {
+    return is_string_type(type) || type.starts_with("UNICODE_STRING(") || type.starts_with("OCTET_STRING(");
 }
 /// Of a base type without a number of its own, that of an unsigned number of the same size, or of octets.
 inline std::uint16_t type_number(const entry& of) {
     if (const auto known = parse_data_type(of.type); known != 0) return known;
-    if (of.type.starts_with("STRING(") || of.type.starts_with("VISIBLE_STRING("))
-        return ethercat::data_types::visible_string;
+    if (is_string_type(of.type)) return ethercat::data_types::visible_string;
     switch (of.bit_size) {
     case 8: return ethercat::data_types::unsigned8;
     case 16: return ethercat::data_types::unsigned16;
@@ -28,14 +27,6 @@ inline std::uint16_t type_number(const entry& of) {
     case 64: return ethercat::data_types::unsigned64;
     default: return bridging::octet_string_type;
     }
-}
-inline std::vector<std::byte> little_endian(std::uint32_t value, std::size_t size) {
-    std::vector<std::byte> made(size);
-    for (auto& each : made) {
-        each = static_cast<std::byte>(value & 0xFF);
-        value >>= 8;
-    }
-    return made;
 }
 
 } // namespace detail
@@ -68,7 +59,7 @@ JAUSCAT_DECL void emulated_objects::add_file_objects() {
             stored_entry stored{.what = entry, .value = entry.default_data};
             const std::size_t size = (entry.bit_size + 7) / 8;
             stored.value.reserve(std::max<std::size_t>(size, 1));
-            if (!detail::is_text_type(entry.type)) stored.value.resize(size);
+            if (!detail::has_any_length(entry.type)) stored.value.resize(size);
             if (stored.value.empty()) stored.value.resize(1); // an empty text
             if (entry.subindex == 0 && entry.default_data.empty() && each.code != object_code::variable)
                 stored.value.front() = static_cast<std::byte>(each.entries.back().subindex);
@@ -91,7 +82,7 @@ JAUSCAT_DECL void emulated_objects::set_list(std::uint16_t index, const std::str
                                             .type = of_type,
                                             .bit_size = static_cast<std::uint32_t>(size * 8),
                                             .readable = true}});
-        at->second.value = detail::little_endian(value, (at->second.what.bit_size + 7) / 8);
+        at->second.value = little_endian(value, (at->second.what.bit_size + 7) / 8);
     };
     set(0, "USINT", 1, static_cast<std::uint32_t>(values.size()));
     for (std::size_t i = 0; i != values.size(); ++i) set(static_cast<std::uint8_t>(i + 1), type, bytes, values[i]);
@@ -134,7 +125,7 @@ JAUSCAT_DECL void emulated_objects::add_values_of_device() {
         objects_[device_type].entries.emplace(
             std::uint8_t{0},
             stored_entry{.what = {.name = "Device type", .type = "UDINT", .bit_size = 32, .readable = true},
-                         .value = detail::little_endian(of.profile, 4)});
+                         .value = little_endian(of.profile, 4)});
     }
     set_list(identity, "Identity", "UDINT", 4, {of.vendor_id, of.product_code, of.revision, of.serial}, false);
     std::vector<std::uint32_t> uses;
@@ -207,7 +198,7 @@ JAUSCAT_DECL ethercat::abort_code emulated_objects::write(std::uint16_t index, s
     if (!at->what.writable) return read_only;
     const std::size_t size = (at->what.bit_size + 7) / 8;
     if (data.size() > size) return length_too_high;
-    if (data.size() < size && !detail::is_text_type(at->what.type)) return length_too_low;
+    if (data.size() < size && !detail::has_any_length(at->what.type)) return length_too_low;
     if (at->is_fixed) {
         // A master that configures PDOs clears their number first.
         const bool is_cleared =
@@ -237,7 +228,7 @@ JAUSCAT_DECL std::optional<ethercat::object_info> emulated_objects::describe(std
     const auto& [code, name, entries] = found->second;
     if (entries.empty()) return {};
     const auto highest = entries.rbegin()->first;
-    const auto is_text = [](const auto& each) { return detail::is_text_type(each.second.what.type); };
+    const auto is_text = [](const auto& each) { return detail::has_any_length(each.second.what.type); };
     return ethercat::object_info{
         .data_type = code == object_code::record ? std::uint16_t{} : detail::type_number(entries.rbegin()->second.what),
         .highest_subindex = highest,

@@ -203,8 +203,7 @@ class dictionary_reader {
     }
 
     void set_default(entry& made, pugi::xml_node info) const {
-        const bool is_text = made.type.starts_with("STRING(") || made.type.starts_with("VISIBLE_STRING(");
-        if (const auto value = info.child("DefaultValue"); value && !is_text) {
+        if (const auto value = info.child("DefaultValue"); value && !is_string_type(made.type)) {
             if (xml_source::text(value).empty()) return;
             auto read = parse_value(value.text().get(), made.type);
             if (!read)

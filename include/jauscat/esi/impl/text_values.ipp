@@ -124,7 +124,15 @@ JAUSCAT_DECL std::optional<std::vector<std::byte>> parse_value(std::string_view 
         if (!parsed(std::string_view{number}.substr(hex ? 2 : 0), value, hex ? 16 : 10)) return std::nullopt;
         if (bits < 64 && value >> bits != 0) return std::nullopt;
     }
-    std::vector<std::byte> bytes((bits + 7) / 8);
+    return little_endian(value, (bits + 7) / 8);
+}
+
+JAUSCAT_DECL bool is_string_type(std::string_view type) {
+    return type.starts_with("STRING(") || type.starts_with("VISIBLE_STRING(");
+}
+
+JAUSCAT_DECL std::vector<std::byte> little_endian(std::uint64_t value, std::size_t size) {
+    std::vector<std::byte> bytes(size);
     for (auto& each : bytes) {
         each = static_cast<std::byte>(value & 0xFF);
         value >>= 8;
