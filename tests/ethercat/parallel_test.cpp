@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,7 +33,9 @@ struct chain {
     std::vector<std::unique_ptr<slave>> devices{};
     std::vector<slave_record> records;
     class master master;
+    std::function<void()> before_frame{};
     simulated_link link{[this](std::span<std::byte> frame) {
+        if (before_frame) before_frame();
         for (auto& each : devices) each->process(frame);
     }};
     std::vector<bring_up_place> places{};
@@ -252,6 +255,25 @@ TEST_CASE("slaves that come or go are found while the others run") {
     REQUIRE(c.run(bring_up{.position = 10, .station = 11}));
     CHECK(c.master.find(11)->process_data == place);
     CHECK(c.in_state(al_state::op) == 97);
+}
+
+TEST_CASE("positions that were read while a slave came are not taken") {
+    chain c{100};
+    auto& devices = c.devices;
+    auto later = std::move(devices.back());
+    devices.pop_back();
+    c.places.resize(99);
+    REQUIRE(*c.run(bring_up_all{c.places}) == 99);
+    std::array<std::uint16_t, 4> into{};
+    const auto begun = c.sent();
+    c.before_frame = [&] {
+        if (c.sent() - begun == 2 && later) devices.insert(devices.begin(), std::move(later)); // all others move
+    };
+    const auto found = c.run(locate_slaves{into});
+    REQUIRE_FALSE(found);
+    CHECK(found.error().code == master_errc::working_counter);
+    CHECK(found.error().working_counter == 100);
+    CHECK(c.run(locate_slaves{into})->known == 99);
 }
 
 TEST_CASE("missing, swapped, doubled and foreign slaves are named") {

@@ -339,6 +339,7 @@ class find_job final : public bus_job {
     enum class step : std::uint8_t { clear, locate, bring_up, name, identify, prepare, done };
 
     void located(bus_state& bus, const ethercat::master& master, error_code error) {
+        if (error == bus_errc::slave_lost && ++changes_ != most_changes) return; // the ring changes: once more
         if (error) return fail(error);
         const auto found = *master.result<ethercat::locate_slaves>();
         if (what_ != find_scope::changes && found.slaves == 0) return fail(bus_errc::no_slaves);
@@ -370,6 +371,8 @@ class find_job final : public bus_job {
     find_scope what_;
     operation_ptr<> done_;
     step step_{};
+    static constexpr int most_changes = 10;
+    int changes_{};
     std::array<std::uint16_t, bus_state::max_slaves> unknown_{};
     std::vector<std::pair<std::uint16_t, std::uint16_t>> new_{}; ///< positions, and the station addresses that they get
     bring_ups ups_{};

@@ -96,7 +96,7 @@ struct located_slaves {
 
 /// Finds out which slaves have come or gone, without changing anything in them. The records of those that are up get
 /// their positions, those that are not in the ring `slave_record::no_position`. `into` has memory for the positions of
-/// slaves that the master does not know: bring those up. Errors: working_counter (a slave went meanwhile).
+/// slaves that the master does not know: bring those up. Errors: working_counter (a slave has come or gone meanwhile).
 struct locate_slaves {
     std::span<std::uint16_t> into{};
     using result_type = master_result<located_slaves>;

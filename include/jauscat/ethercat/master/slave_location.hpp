@@ -13,7 +13,7 @@
 namespace jauscat::ethercat {
 
 /// State machine: `request` adds the datagrams of the present step, `reply` takes their return. One frame to count, and
-/// one for each 64 slaves.
+/// one for each 63 slaves, which counts again: positions tell nothing if a slave has come or gone since.
 class slave_location {
   public:
     [[nodiscard]] const master_result<>& result() const noexcept { return result_; }
@@ -21,22 +21,25 @@ class slave_location {
     [[nodiscard]] std::uint16_t slaves() const noexcept { return slaves_; }
 
     void request(frame_builder& frame) const noexcept {
-        if (!is_counted_)
-            return static_cast<void>(frame.add(command::brd, 0, esc_registers::type.address, std::size_t{1}));
-        const auto end = std::min<std::size_t>(slaves_, next_ + frame_traffic::max_datagrams);
+        frame.add(command::brd, 0, esc_registers::type.address, std::size_t{1});
+        const auto end = std::min<std::size_t>(slaves_, next_ + frame_traffic::max_datagrams - 1);
         for (auto position = next_; position != end; ++position)
             frame.add(command::aprd, static_cast<std::uint16_t>(-static_cast<int>(position)),
                       esc_registers::station_address.address, wire::max_size<esc_word>);
     }
     /// Calls `found(position, station)` for each slave.
     template <class Found> progress reply(replies datagrams, Found&& found) noexcept {
+        const auto counted = datagrams.front().working_counter;
         if (!is_counted_) {
             is_counted_ = true;
-            slaves_ = datagrams.front().working_counter;
+            slaves_ = counted;
             return slaves_ == 0 ? progress::done : progress::send;
         }
-        if (result_ = executed_by_one(datagrams); !result_) return progress::done; // one went meanwhile
-        for (const auto& each : datagrams)
+        const auto stations = datagrams.subspan(1);
+        result_ = counted == slaves_ ? executed_by_one(stations)
+                                     : master_error{.code = master_errc::working_counter, .working_counter = counted};
+        if (!result_) return progress::done;
+        for (const auto& each : stations)
             found(static_cast<std::uint16_t>(next_++), each.value(esc_registers::station_address).value);
         return next_ == slaves_ ? progress::done : progress::send;
     }
