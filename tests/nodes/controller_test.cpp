@@ -222,12 +222,13 @@ TEST_CASE("the state of a component reaches a slave with process data") {
     r.master_options = r.master_options + robot::cyclic();
     r.start();
     r.ocu(0, {"propulsive_linear_effort_x=50"});
+    const auto moved = r.arm().wait_for("efforts_in_force", {{"propulsive_linear_effort_x", 16384}});
     r.ocu(0, {"--send", "standby"});
-    r.controller().wait_for("image_written", [](const json& event) {
-        return event["command"] == 3 &&
-               event["outputs"].get<std::string>().starts_with("03 00 ff 0f 00 00 00 00 00 00");
+    const auto stopped = r.controller().wait_for("image_written", [&](const json& event) {
+        return event["time"] > moved["time"] &&
+               event["outputs"].get<std::string>().substr(6).starts_with("ff 0f 00 00 00 00 00 00");
     });
-    r.arm().wait_for("efforts_commanded", {{"command", 3}});
+    r.arm().wait_for("efforts_commanded", {{"command", stopped["command"]}});
     r.ocu(0, {"--send", "resume"});
     r.command_arrives();
 }
