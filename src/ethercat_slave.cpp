@@ -1,4 +1,5 @@
 // The emulated EtherCAT slave.
+#include <jauscat/ethercat/slave/impl/assignable_pdos.ipp>
 #include <jauscat/ethercat/slave/impl/coe_server.ipp>
 #include <jauscat/ethercat/slave/impl/esc.ipp>
 #include <jauscat/ethercat/slave/impl/esc_memory.ipp>

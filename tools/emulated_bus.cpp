@@ -1,5 +1,6 @@
 // A bus of emulated EtherCAT slaves behind a network interface or UDP, for masters to be tried against.
 #include "arrival_time.hpp"
+#include "line_source.hpp"
 #include "stored_objects.hpp"
 #include "support/link_options.hpp"
 #include "support/say.hpp"
@@ -18,7 +19,8 @@
 #include <algorithm>
 #include <deque>
 #include <map>
-#include <thread>
+#include <memory>
+#include <sstream>
 
 namespace {
 
@@ -38,6 +40,8 @@ In OP the inputs repeat the outputs, so that a master can check its cycle.
 With --esi the slaves are those of an ESI file, of jauscat-esi or of a vendor: its SyncManagers, PDOs, SII, and objects with
 their default values. A report of a JAUS component that is read is the one written last. Of a file with several devices --product
 and --revision choose one, or --device, which may be repeated, some by their numbers (jauscat-esi --list).
+With --commands it takes lines of standard input: "emergency SLAVE CODE [REGISTER [BYTES]]" with the slave's position from 0, the
+error code, the error register, and up to 5 bytes in hex. It is sent once a master has brought the slave to PRE-OP.
 
 Examples:
   emulated_bus                                          one slave, EtherCAT in UDP on port 34980
@@ -49,6 +53,8 @@ Examples:
   emulated_bus --esi arm.xml                            the slave that a file describes
   emulated_bus --esi terminals.xml --device 0 --device 7
                                                         two devices of a file with many
+  echo "emergency 0 0x8110 0x11" | emulated_bus --commands
+                                                        slave 0 sends an emergency
   emulated_bus --abort 0x2002=0x08000021 --abort 0x2010:1=0x06060000
 )";
 
@@ -189,6 +195,15 @@ class node {
                          std::string{describe(status.code)});
     }
 
+    void show_emergency(const ethercat::coe_emergency& what) const {
+        say_(example::events::emergency_sent,
+             {{"error_code", what.error_code},
+              {"error_register", what.error_register},
+              {"data", jauscat::text::hex(what.data)}},
+             "emergency " + hex_number(what.error_code, 4) + ", error register " + hex_number(what.error_register, 2) +
+                 ", " + jauscat::text::hex(what.data));
+    }
+
   private:
     void show_write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) const {
         constexpr std::size_t shown = 32;
@@ -223,10 +238,57 @@ class node {
     ethercat::al_status status_{.state = ethercat::al_state::init};
 };
 
+/// Emergencies of the lines of standard input, kept until their slaves can send them.
+class emergency_commands {
+  public:
+    explicit emergency_commands(std::deque<node>& nodes) : nodes_{nodes}, lines_{script_lines()} {}
+
+    void work() {
+        while (const auto line = lines_->next()) {
+            try {
+                take(*line);
+            } catch (const std::exception& wrong) {
+                say_.bad(example::events::line_refused, {{"line", *line}}, std::string{wrong.what()});
+            }
+        }
+        std::erase_if(waiting_, [&](const auto& each) {
+            const auto& [slave, what] = each;
+            if (!nodes_[slave].slave().send_emergency(what)) return false;
+            nodes_[slave].show_emergency(what);
+            return true;
+        });
+    }
+
+  private:
+    void take(const std::string& line) {
+        std::istringstream words{line};
+        std::string command, slave, code, error_register = "0", data;
+        if (!(words >> command)) return; // an empty line
+        words >> slave >> code;
+        if (command != "emergency" || code.empty())
+            throw std::invalid_argument{"expected 'emergency SLAVE CODE [REGISTER [BYTES]]', not '" + line + "'"};
+        words >> error_register;
+        std::getline(words, data);
+        const auto bytes = esi::parse_bytes(data);
+        ethercat::coe_emergency what{.error_code = static_cast<std::uint16_t>(parse_number(code, 0xFFFF, "commands")),
+                                     .error_register =
+                                         static_cast<std::uint8_t>(parse_number(error_register, 0xFF, "commands"))};
+        if (!bytes || bytes->size() > what.data.size())
+            throw std::invalid_argument{"'" + data + "' are not up to 5 bytes in hex"};
+        std::ranges::copy(*bytes, what.data.begin());
+        waiting_.emplace_back(parse_number(slave, nodes_.size() - 1, "commands"), what);
+    }
+
+    std::deque<node>& nodes_;
+    std::unique_ptr<line_source> lines_;
+    std::vector<std::pair<std::size_t, ethercat::coe_emergency>> waiting_{};
+    example::speaker say_{"emulated_bus"};
+};
+
 /// `has_clocks`: a frame goes back when it is back on the bus, so that the next one does not overtake it. Otherwise it
 /// is of no consequence when slaves see it.
 int serve(jauscat::net::any_link& link, const std::string& where, std::deque<node>& nodes,
-          std::chrono::nanoseconds cable, bool has_clocks) {
+          std::chrono::nanoseconds cable, bool has_clocks, emergency_commands* commands) {
     std::vector<ethercat::wired_slave> wires;
     for (auto& each : nodes)
         wires.push_back(
@@ -254,7 +316,8 @@ int serve(jauscat::net::any_link& link, const std::string& where, std::deque<nod
             const auto returns = tree.pass(received, at);
             if (has_clocks) {
                 back = returns;
-                while (jauscat::net::now() < back) std::this_thread::yield(); // to sleep may take a millisecond
+                // To sleep may take a millisecond, to give way to other programs several.
+                while (jauscat::net::now() < back) {}
             }
             if (!link.send(received))
                 say.bad(example::events::frame_not_returned, {{"problem", link.problem()}},
@@ -267,6 +330,7 @@ int serve(jauscat::net::any_link& link, const std::string& where, std::deque<nod
             problem = link.problem();
             if (!problem.empty()) say.bad(example::events::link_problem, {{"problem", problem}}, problem);
         }
+        if (commands != nullptr) commands->work();
         for (auto& each : nodes) {
             each.slave().pass_time(at);
             each.slave().on_time(at);
@@ -328,6 +392,7 @@ int main(int argc, char** argv) {
             ("subindex-0-rule", po::bool_switch(), "abort writes to PDO mapping objects while their subindex 0 is not 0")
             ("state-rule", po::bool_switch(), "abort writes to PDO mapping objects in other states than PRE-OP")
             ("empty-start", po::bool_switch(), "segmented uploads start without data")
+            ("commands", po::bool_switch(), "take emergencies from standard input: emergency SLAVE CODE [REGISTER [BYTES]]")
             ("slow", po::value<std::uint32_t>()->default_value(0), "number of frames before a mailbox request is answered");
         // clang-format on
         example::add_log_option(options);
@@ -412,8 +477,10 @@ int main(int argc, char** argv) {
             clock != ethercat::clock_width::no_clock || std::ranges::any_of(devices, [](const auto& each) {
                 return each.description().clock != ethercat::clock_width::no_clock;
             });
+        std::optional<emergency_commands> commands;
+        if (values["commands"].as<bool>()) commands.emplace(nodes);
         return example::with_link(values, example::link_end::slave, [&](auto& link, const std::string& where) {
-            return serve(link, where, nodes, cable, has_clocks);
+            return serve(link, where, nodes, cable, has_clocks, commands ? &*commands : nullptr);
         });
     });
 }

@@ -19,14 +19,15 @@ namespace cia402 = jauscat::cia402;
 namespace ethercat = jauscat::ethercat;
 namespace net = jauscat::net;
 
-/// The parts of one slave: a drive with one axis, and the objects that every slave has.
+/// The parts of one slave: a drive with one axis, the objects that every slave has, and PDOs that a master may map.
 struct device {
     device() = default;
     device(const device&) = delete; // its parts refer to one another
 
     cia402::emulated_drive<> drive{};
     ethercat::standard_objects objects{cia402::drive_description<>, drive};
-    ethercat::slave slave{cia402::drive_description<>, objects};
+    ethercat::assignable_pdos pdos{cia402::drive_description<>, objects};
+    ethercat::slave slave{cia402::drive_description<>, pdos};
 };
 
 void serve(net::any_link& link) {
@@ -45,7 +46,7 @@ void serve(net::any_link& link) {
         }
         for (auto& each : ring) {
             each.slave.on_time(now);
-            each.drive.work(each.slave, now); // the motor turns
+            each.drive.work(each.slave, each.pdos, now); // the motor turns
         }
     }
 }

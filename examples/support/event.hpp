@@ -99,6 +99,7 @@ inline constexpr event_kind slave_state{"slave_state"};
 inline constexpr event_kind station_address{"station_address"};
 inline constexpr event_kind object_written{"object_written"};
 inline constexpr event_kind object_refused{"object_refused"};
+inline constexpr event_kind emergency_sent{"emergency_sent"};
 
 // robot_arm.
 inline constexpr event_kind no_command_timeout{"no_command_timeout"};

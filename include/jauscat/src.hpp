@@ -80,6 +80,7 @@
 #include <jauscat/ethercat/master/impl/slave_status.ipp>
 #include <jauscat/ethercat/master/impl/state_change.ipp>
 #include <jauscat/ethercat/master/impl/sync_setup.ipp>
+#include <jauscat/ethercat/slave/impl/assignable_pdos.ipp>
 #include <jauscat/ethercat/slave/impl/coe_server.ipp>
 #include <jauscat/ethercat/slave/impl/esc.ipp>
 #include <jauscat/ethercat/slave/impl/esc_memory.ipp>

@@ -339,7 +339,7 @@ TEST_CASE("a slave that leaves its state by itself is reported") {
 TEST_CASE("emergencies of slaves are called back") {
     bench b;
     REQUIRE_FALSE(b.start());
-    b.ring.with(2, [](auto& each) { each.mail = std::uint8_t{8}; });
+    b.ring.with(2, [](auto& each) { CHECK(each.slave.send_emergency({.error_code = 0x4230, .error_register = 8})); });
     REQUIRE(support::until(b.context, [&] { return !b.emergencies.empty(); }));
     CHECK(b.emergencies[0].first == 2);
     CHECK(b.emergencies[0].second.error_code == 0x4230);

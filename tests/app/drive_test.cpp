@@ -180,6 +180,39 @@ TEST_CASE("an operation of a motor that does not get to its target ends with an 
     CHECK(std::abs(is_position ? is.position - 0.5 : is.velocity - 1) < 0.3);
 }
 
+TEST_CASE("a drive works with the objects that its master has mapped") {
+    bench b;
+    const auto slave = b.bus->slave({.position = 1});
+    const auto write = [&](std::uint16_t index, unsigned subindex, auto value) {
+        return b.outcome(
+            [&](auto done) { slave.async_write(index, static_cast<std::uint8_t>(subindex), value, done); });
+    };
+    const auto write_all = [&](std::uint16_t index, const auto& values) {
+        REQUIRE_FALSE(write(index, 0, std::uint8_t{}));
+        for (unsigned i = 0; i != values.size(); ++i) REQUIRE_FALSE(write(index, i + 1, values[i]));
+        REQUIRE_FALSE(write(index, 0, static_cast<std::uint8_t>(values.size())));
+    };
+    using numbers = std::vector<std::uint32_t>;
+    using words = std::vector<std::uint16_t>;
+    CHECK(write(0x1601, 1, std::uint32_t{0x60600008}) == error_code{}); // an empty one
+    CHECK(write(0x1600, 1, std::uint32_t{0x60600008}) == ethercat::abort_code::subindex_0_not_zero);
+    write_all(0x1601, numbers{0x60600008, 0x60400010});
+    write_all(0x1602, numbers{0x60FF0020});
+    write_all(0x1A03, numbers{0x606C0020, 0x60410010, 0x60610008});
+    write_all(0x1C12, words{0x1602, 0x1601});
+    write_all(0x1C13, words{0x1A03});
+    auto wheel = b.at(1);
+    REQUIRE_FALSE(b.operate(wheel));
+    b.ring.with(1, [](auto& each) {
+        CHECK(each.slave.outputs().size() == 7);
+        CHECK(each.slave.inputs().size() == 7);
+    });
+    REQUIRE_FALSE(b.enable(wheel, csv));
+    CHECK_FALSE(b.outcome([&](auto done) { wheel.async_run_at(2, done); }));
+    CHECK(std::abs(b.values(1).velocity_actual - 20'000) < 1000);
+    CHECK(write(0x1C12, 0, std::uint8_t{}) == ethercat::abort_code::device_state);
+}
+
 TEST_CASE("a drive homes, pushes with a torque and stops quickly") {
     bench b;
     auto left = b.at(0);

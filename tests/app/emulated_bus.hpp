@@ -5,7 +5,6 @@
 #include "../../tools/arrival_time.hpp"
 #include "ethercat/described_objects.hpp"
 #include "ethercat/objects.hpp"
-#include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/ethercat/link.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/slave_tree.hpp>
@@ -23,7 +22,6 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <span>
 #include <string>
 #include <thread>
@@ -45,11 +43,10 @@ struct emulated_slave {
     emulated_slave(const emulated_slave&) = delete;
     emulated_slave& operator=(const emulated_slave&) = delete;
 
-    /// After each frame that reaches it; `frame` returns to the master.
-    void work(std::span<std::byte> frame, time_point) {
+    /// After each frame that reaches it.
+    void work(std::span<std::byte>, time_point) {
         if (!hangs) slave.work();
         if (!hangs && application) application(slave);
-        if (mail) put_mail(frame);
     }
     void on_time(time_point now) { slave.on_time(now); }
     [[nodiscard]] bool has_clock() const { return description.clock != ethercat::clock_width::no_clock; }
@@ -62,33 +59,7 @@ struct emulated_slave {
     std::array<std::byte, 2048> segments{};
     ethercat::slave slave;
     std::function<void(ethercat::slave&)> application{};
-    bool hangs{};                       ///< its application: the controller alone works
-    std::optional<std::uint8_t> mail{}; ///< an emergency of this error register waits
-
-  private:
-    // The emulated slave sends no emergencies by itself.
-    void put_mail(std::span<std::byte> frame) {
-        ethercat::mutable_frame_view view;
-        if (!view.parse(frame)) return;
-        const auto status = ethercat::sync_manager_handshake_of(1);
-        for (const auto datagram : view) {
-            if (datagram.header.cmd != ethercat::command::fprd || datagram.header.adp != slave.station_address())
-                continue;
-            if (datagram.header.ado == status.address && datagram.working_counter == 1) {
-                auto mailbox = datagram.value(status);
-                mailbox.full = true;
-                static_cast<void>(wire::encode(mailbox, datagram.data));
-            }
-            if (datagram.header.ado != description.mailbox_in_offset || datagram.working_counter != 0) continue;
-            static constexpr std::array<unsigned char, 16> emergency{0x0A, 0,    0, 0, 0, 0x33, 0, 0x10,
-                                                                     0x30, 0x42, 0, 1, 2, 3,    4, 5};
-            std::ranges::transform(emergency, datagram.data.begin(), [](auto b) { return std::byte{b}; });
-            datagram.data[10] = std::byte{*mail};
-            static_cast<void>(wire::encode(ethercat::datagram_trailer{1}, datagram.bytes.last(2)));
-            mail.reset();
-            return;
-        }
-    }
+    bool hangs{}; ///< its application: the controller alone works
 };
 
 /// Slaves behind a link, in a thread, until it is destroyed. Change them by `with` alone. Slaves with distributed

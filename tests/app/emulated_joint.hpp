@@ -33,35 +33,20 @@ struct emulated_joint {
     cia402::emulated_drive<> drive{};
     ethercat::slave_description description;
     ethercat::standard_objects objects{description, drive};
-    ethercat::slave slave{description, objects};
+    ethercat::assignable_pdos pdos{description, objects};
+    ethercat::slave slave{description, pdos};
     bool was_up{};
     unsigned bring_ups{};
 
     [[nodiscard]] cia402::emulated_axis& axis() { return drive.axes[0]; }
     static bool has_clock() { return false; }
     void work(std::span<std::byte>, time_point now) { on_time(now); }
-    [[nodiscard]] bool has_outputs(const auto& entries) const { return description.outputs.data() == entries.data(); }
-    /// As emulated_drive::work, with the outputs of `other_drive_outputs` or `outputs_without_mode`.
-    void work_otherwise(time_point now) {
-        const bool operational = slave.state() == ethercat::al_state::op;
-        if (slave.take_outputs() && operational) {
-            std::vector<std::byte> outputs(slave.outputs().begin(), slave.outputs().end());
-            if (has_outputs(other_drive_outputs))
-                std::swap(outputs[2], outputs[3]);
-            else
-                outputs[2] = static_cast<std::byte>(axis().values.mode_of_operation);
-            drive.take(outputs);
-        }
-        axis().on_time(now, operational);
-        if (const auto inputs = slave.inputs(); !inputs.empty()) drive.give(inputs);
-    }
     void on_time(time_point now) {
         slave.work();
         slave.on_time(now);
         const bool is_up = slave.state() != ethercat::al_state::init;
         if (!std::exchange(was_up, is_up) && is_up) ++bring_ups;
-        if (has_outputs(other_drive_outputs) || has_outputs(outputs_without_mode)) return work_otherwise(now);
-        drive.work(slave, now);
+        drive.work(slave, pdos, now);
     }
 };
 

@@ -56,7 +56,8 @@ std::vector<net::slave_entry> arm() {
 
 struct bench {
     explicit bench(std::vector<std::size_t> order = {0, 1, 2}, std::vector<net::slave_entry> names = arm(),
-                   const std::vector<ethercat::slave_description>& of = devices())
+                   const std::vector<ethercat::slave_description>& of = devices(),
+                   duration timeout = bus_options{}.timeout)
         : ring{of} {
         ring.connect(std::move(order));
         for (std::size_t i = 0; i != of.size(); ++i)
@@ -69,6 +70,7 @@ struct bench {
             });
         bus.emplace(context, ring.where(),
                     bus_options{.slaves = std::move(names),
+                                .timeout = timeout,
                                 .check_interval = 20ms,
                                 .frame_timeout = jauscat::test::frame_timeout,
                                 .log = [this](std::string_view line) { lines.emplace_back(line); }});
@@ -301,6 +303,43 @@ TEST_CASE("a slave is identified by its switch, and by an ESI file") {
     CHECK(b.bus->slave({.name = "shoulder"}).info().position == 2);
     CHECK(b.bus->slave({.name = "arm"}).info().product == 0x21);
     CHECK(b.bus->slave({.name = "gripper"}).info().position == 0);
+}
+
+TEST_CASE("a slave that does not answer is given up after its own time, or that of its ESI file") {
+    const jauscat::test::scratch folder;
+    const std::string type = "</Type>";
+    auto text = jauscat::test::sample_esi();
+    text.insert(text.find(type, text.find("<Device ")) + type.size(),
+                "<Info><Mailbox><Timeout><RequestTimeout>10</RequestTimeout><ResponseTimeout>40</ResponseTimeout>"
+                "</Timeout></Mailbox></Info>");
+    std::ofstream{folder / "arm.xml"} << text;
+    auto all = devices();
+    all[1] = jauscat::test::sample_slave;
+    constexpr net::timeout_entry::milliseconds short_time{50}, long_time{1500};
+    // The master's own time, 1 s, is longer than that of an operation.
+    bench b{{0, 1, 2, 3},
+            {{.name = "shoulder", .alias = 17},
+             {.name = "arm", .esi = folder / "arm.xml"},
+             {.name = "gripper", .product = 2, .timeouts = {.mailbox = short_time}},
+             {.name = "spare", .alias = 19, .timeouts = {.mailbox = long_time}}},
+            all,
+            500ms};
+    REQUIRE_FALSE(b.start());
+    for (std::size_t i = 0; i != 4; ++i) b.ring.with(i, [](auto& each) { each.hangs = true; });
+    const auto read = [&](const char* name) {
+        error_code why;
+        bool is_over = false;
+        b.bus->slave({.name = name}).async_read<std::uint32_t>(0x1018, 1, [&](error_code error, std::uint32_t) {
+            why = error;
+            is_over = true;
+        });
+        REQUIRE(b.until([&] { return is_over; }));
+        return why;
+    };
+    CHECK(read("shoulder") == bus_errc::timed_out);
+    CHECK(read("arm") == bus_errc::no_answer);
+    CHECK(read("gripper") == bus_errc::no_answer);
+    CHECK(read("spare") == bus_errc::no_answer); // an operation lasts as long as its slave may take
 }
 
 TEST_CASE("slaves that cannot be told apart are refused at once") {

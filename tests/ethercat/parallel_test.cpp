@@ -34,9 +34,14 @@ struct chain {
     std::vector<slave_record> records;
     class master master;
     std::function<void()> before_frame{};
+    bool hangs{}; ///< the applications of all slaves
     simulated_link link{[this](std::span<std::byte> frame) {
         if (before_frame) before_frame();
-        for (auto& each : devices) each->process(frame);
+        for (auto& each : devices)
+            if (hangs)
+                each->pass(frame);
+            else
+                each->process(frame);
     }};
     std::vector<bring_up_place> places{};
 
@@ -255,6 +260,45 @@ TEST_CASE("slaves that come or go are found while the others run") {
     REQUIRE(c.run(bring_up{.position = 10, .station = 11}));
     CHECK(c.master.find(11)->process_data == place);
     CHECK(c.in_state(al_state::op) == 97);
+}
+
+TEST_CASE("a slave with timeouts of its own is waited for so long") {
+    chain c{2};
+    REQUIRE(*c.run(bring_up_all{c.places}) == 2);
+    using milliseconds = slave_timeouts::milliseconds;
+    CHECK(c.master.set_timeouts(
+        2, {milliseconds{11}, milliseconds{22}, milliseconds{33}, milliseconds{44}, milliseconds{55}}));
+    CHECK_FALSE(c.master.set_timeouts(3, {}));
+    // Between it and what the next polls take.
+    const auto waits = [&](std::chrono::milliseconds time, const auto& job, master_errc why) {
+        c.hangs = true;
+        const auto begun = c.link.now;
+        CHECK(c.run(job).error().code == why);
+        CHECK(c.link.now - begun >= time);
+        CHECK(c.link.now - begun < time + 2ms);
+        c.hangs = false;
+    };
+    using enum al_state;
+    const auto changes = [&](al_state from, al_state to, std::chrono::milliseconds time) {
+        for (const auto station : std::array<std::uint16_t, 2>{1, 2}) {
+            REQUIRE(c.run(change_state{station, pre_op}));
+            REQUIRE(c.run(configure{station}));
+            REQUIRE(c.run(change_state{station, from}));
+            waits(station == 1 ? 5s : time, change_state{station, to}, master_errc::state_timeout);
+            REQUIRE(c.run(bring_up{static_cast<std::uint16_t>(station - 1), station}));
+        }
+    };
+    changes(init, pre_op, 11ms);
+    changes(pre_op, safe_op, 22ms);
+    changes(safe_op, op, 22ms);
+    changes(op, safe_op, 44ms);
+    changes(op, pre_op, 33ms);
+    changes(safe_op, init, 33ms);
+    std::array<std::byte, 4> into{};
+    // For the answer, and then until the slave takes an abort.
+    waits(2s, upload{1, 0x1018, 1, into}, master_errc::mailbox_timeout);
+    waits(2 * 55ms, upload{2, 0x1018, 1, into}, master_errc::mailbox_timeout);
+    waits(33ms, bring_up{1, 2}, master_errc::state_timeout);
 }
 
 TEST_CASE("positions that were read while a slave came are not taken") {

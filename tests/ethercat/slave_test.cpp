@@ -168,8 +168,8 @@ TEST_CASE("the SII is read in 4 or 8 bytes and only while the master owns it") {
     CHECK(four.read(0x0508, 4).data == "88 77 66 55");
     four.write(0x0502, "0001 ff0f0000");
     CHECK(four.read(0x0508, 4).data == "ff ff ff ff");
-    four.write(0x0502, "0102 08000000");
-    CHECK(four.read(0x0502, 2).data == "01 20");
+    four.write(0x0502, "0003 08000000"); // no command that there is
+    CHECK(four.read(0x0502, 2).data == "00 20");
 
     bench eight{{.vendor = 0x11223344, .product = 0x55667788, .eight_byte_sii_reads = true}};
     eight.write(0x0502, "0001 08000000");
@@ -185,6 +185,52 @@ TEST_CASE("the SII is busy until the slave has read it") {
     CHECK(to_hex(std::span{poll}.subspan(26, 4)) == "00 81 01 00");
     b.device.work();
     CHECK(b.read(0x0502, 2).data == "00 00");
+}
+
+TEST_CASE("a master writes the SII word by word, and the slave loads its alias from there") {
+    bench b{{.vendor = 0x11223344, .station_alias = 5}};
+    const auto write = [&](std::string_view word, std::string_view data) {
+        CHECK(b.write(0x0502, "0102" + std::string{word} + std::string{data}).working_counter == 1);
+        return b.read(0x0502, 2).data;
+    };
+    const auto read = [&](std::string_view word) {
+        b.write(0x0502, "0001" + std::string{word});
+        return b.read(0x0508, 4).data;
+    };
+    CHECK(write("40000000", "abcd") == "00 00");
+    CHECK(read("40000000").starts_with("ab cd"));
+    b.write(0x0502, "0002 40000000 1234"); // not enabled
+    CHECK(b.read(0x0502, 2).data == "00 40");
+    CHECK(read("40000000").starts_with("ab cd"));
+    CHECK(write("ffff0000", "0000") == "00 20"); // beyond the memory
+
+    CHECK(b.read(0x0012, 2).data == "05 00");
+    CHECK(write("04000000", "0900") == "00 00");
+    CHECK(b.read(0x0012, 2).data == "05 00"); // what it has loaded
+    b.write(0x0502, "0004");
+    CHECK(b.read(0x0502, 2).data == "00 08"); // the checksum is that of alias 5
+    CHECK(b.read(0x0012, 2).data == "00 00");
+    const auto image = make_sii_image({.vendor = 0x11223344, .station_alias = 9});
+    CHECK(write("07000000", to_hex(std::span{image}.subspan(14, 2))) == "00 08");
+    b.device.power_on();
+    CHECK(b.read(0x0502, 2).data == "00 00");
+    CHECK(b.read(0x0012, 2).data == "09 00");
+}
+
+TEST_CASE("a slave with a whole SII is written to in a copy of it") {
+    std::vector<std::byte> sii(4096 + 512, std::byte{7});
+    const auto image = make_sii_image({.vendor = 1, .station_alias = 3});
+    std::ranges::copy(image, sii.begin());
+    bench b{{.sii = sii}};
+    CHECK(b.read(0x0012, 2).data == "03 00");
+    b.write(0x0502, "0102 40000000 1234");
+    b.write(0x0502, "0001 40000000");
+    CHECK(b.read(0x0508, 4).data.starts_with("12 34"));
+    CHECK(sii[0x80] == image[0x80]);
+    b.write(0x0502, "0001 00080000"); // behind what is kept
+    CHECK(b.read(0x0508, 4).data == "07 07 07 07");
+    b.write(0x0502, "0102 00080000 1234");
+    CHECK(b.read(0x0502, 2).data == "80 20");
 }
 
 TEST_CASE("the SII describes the slave and its checksum is right") {
@@ -318,6 +364,35 @@ TEST_CASE("a repeated request is not executed twice, and a lost reply is sent ag
     CHECK(b.put_mail(request) == 1);
     CHECK(b.take_mail() == response);
     CHECK(b.objects.writes == 2);
+}
+
+TEST_CASE("an emergency is the next message that a master reads, and is sent again if it is lost") {
+    bench b;
+    b.objects.add(0x2002, 0, 1);
+    CHECK_FALSE(b.device.send_emergency({.error_code = 0x8110})); // in INIT
+    b.to_pre_op();
+    CHECK(b.device.send_emergency({.error_code = 0x8110, .error_register = 0x11, .data = {std::byte{1}}}));
+    CHECK(b.put_mail("0a00 0000 00 13 0020 2f 0220 00 01000000") == 1);
+    CHECK(b.take_mail() == "0a 00 00 00 00 13 00 30 60 02 20 00 00 00 00 00"); // the request was there first
+    const std::string sent = "0a 00 00 00 00 23 00 10 10 81 11 01 00 00 00 00";
+    CHECK(b.take_mail() == sent);
+    b.write(0x080E, "03");
+    CHECK(b.take_mail() == sent);
+    CHECK(b.take_mail().empty());
+    for (std::uint16_t i = 0; i != slave_mailbox::max_emergencies; ++i)
+        CHECK(b.device.send_emergency({.error_code = i}));
+    CHECK_FALSE(b.device.send_emergency({.error_code = 4}));
+    b.read(0x0130, 2); // a frame passes
+    for (const auto* code : {"00 00", "01 00", "02 00", "03 00"}) CHECK(b.take_mail().substr(24, 5) == code);
+    CHECK(b.take_mail().empty());
+    CHECK(b.device.send_emergency({}));
+    b.device.power_on();
+    b.to_pre_op();
+    CHECK(b.take_mail().empty());
+
+    bench none{{.mailbox_out_size = 0, .mailbox_in_size = 0}};
+    none.write(0x0120, "0200");
+    CHECK_FALSE(none.device.send_emergency({}));
 }
 
 TEST_CASE("a slave with the smallest mailbox keeps its answers within it") {

@@ -278,6 +278,20 @@ TEST_CASE("a slave may have SYNC signals, by numbers or by a mode of its ESI fil
     CHECK_FALSE(slave("<sync mode='DC'/>").sync);
 }
 
+TEST_CASE("a slave may have timeouts of its own") {
+    const auto slave = [](const std::string& inner) {
+        const auto b = system_b(
+            "<ethercat interface='eth0'><slave name='x' position='0'>" + inner + "</slave></ethercat>", "2.2.0.0");
+        return b.ethercat->slaves.at(0).timeouts;
+    };
+    using jauscat::net::timeout_entry;
+    using milliseconds = timeout_entry::milliseconds;
+    CHECK(slave("") == timeout_entry{});
+    CHECK(slave("<timeouts mailbox='2100'/>") == timeout_entry{.mailbox = milliseconds{2100}});
+    CHECK(slave("<timeouts pre_op='3000' safe_op_op='0xFFFF' back_to_init='1' back_to_safe_op='200'/>") ==
+          timeout_entry{milliseconds{3000}, milliseconds{65535}, milliseconds{1}, milliseconds{200}, {}});
+}
+
 TEST_CASE("the values of objects are given by the type") {
     const auto bytes_of = [](const std::string& type, const std::string& value) {
         const auto b = system_b("<ethercat interface='eth0'><slave name='x' position='0'><sdo index='1' type='" + type +
@@ -340,6 +354,9 @@ TEST_CASE("invalid slaves are refused with their line") {
     CHECK(sync("<sync cycle='0'/>") ==
           "test.xml:6: cycle \"0\" is not a cycle in ns, 1 to 4294967295, decimal or hexadecimal (0x10)");
     CHECK(sync("<sync shift='1 ms'/>") == "test.xml:6: shift \"1 ms\" is not in ns, -1000000000 to 1000000000");
+    CHECK(sync("<timeouts mailbox='0'/>") ==
+          "test.xml:6: mailbox \"0\" is not a time in ms, 1 to 65535, decimal or hexadecimal (0x10)");
+    CHECK(sync("<timeouts mailbox='1'/>\n<timeouts/>") == "test.xml:7: the slave \"x\" has two <timeouts>; leave one");
     CHECK(sync("<sync/>\n<sync/>") == "test.xml:7: the slave \"x\" has two <sync>; leave one");
     CHECK(object("index='0x6060' type='SINT' value='9'") == "accepted");
     CHECK(object("type='SINT' value='9'") == "test.xml:6: this <sdo> needs <index>");

@@ -242,6 +242,22 @@ TEST_CASE("a bus of emulated slaves survives the end of its master, and refuses 
     CHECK(r.run(0, "emulated_bus", {"--help"}).has_output("Examples:"));
 }
 
+TEST_CASE("emulated slaves send emergencies at the request of a line") {
+    robot r;
+    auto& bus = r.start_program("emulated_bus",
+                                r.link + words{"--slaves", "2", "--outputs", "2", "--inputs", "2", "--commands"},
+                                "emergency 1 0x8110 0x11 0102\nemergency 0 256\nemergency 2 1\nemergency 0\n"
+                                "emergency 0 1 2 010203040506\n\nhello\n");
+    bus.wait_for("ready");
+    bus.wait_for("line_refused", json::object(), 4);
+    CHECK(bus.count("line_refused") == 4);
+    CHECK(bus.has("line_refused", {{"line", "hello"}}));
+    auto& master = r.run(0, "cyclic", cyclic_options(r, {"--seconds", "1", "--upload-every", "10"}));
+    CHECK(master.has("measured", {{"failed_uploads", 0}}));
+    bus.wait_for("emergency_sent", {{"slave", 1}, {"error_code", 0x8110}, {"error_register", 0x11}});
+    bus.wait_for("emergency_sent", {{"slave", 0}, {"error_code", 0x100}, {"data", "00 00 00 00 00"}});
+}
+
 TEST_CASE("a controller reports the JAUS node that its slave must have") { // the slave has its own configuration
     robot r;
     r.start_bus(r.link + words{"--abort", "0x1B15=0x06040043"});

@@ -40,7 +40,8 @@ struct bus_options {
     /// The slaves that are expected, by name: those of a configuration file, `config.me().ethercat->slaves`, or of the
     /// program. Another slave in the place of one is refused. Without any, all slaves are taken as they are found.
     std::vector<net::slave_entry> slaves{};
-    duration timeout{std::chrono::seconds{5}};        ///< of an operation, once it has begun
+    /// Of an operation, once it has begun; longer for a slave with timeouts of its own (net::slave_entry).
+    duration timeout{std::chrono::seconds{5}};
     duration start_timeout{std::chrono::seconds{30}}; ///< of async_start
     /// Each slave's state is read so often, and its emergencies are collected. 0: never. Slaves of a bridge are watched
     /// as its options say.

@@ -231,6 +231,12 @@ class start_job final : public bus_job {
     bool are_named_{};
 };
 
+inline ethercat::slave_timeouts times_of(const net::timeout_entry& entry) {
+    const auto time = [](const auto& given) { return given.value_or(ethercat::slave_timeouts::milliseconds{}); };
+    return {time(entry.pre_op), time(entry.safe_op_op), time(entry.back_to_init), time(entry.back_to_safe_op),
+            time(entry.mailbox)};
+}
+
 /// Finds the slaves of a bus whose options name them: those that have come, gone or moved, or all.
 class find_job final : public bus_job {
   public:
@@ -279,6 +285,7 @@ class find_job final : public bus_job {
                     return fail(bus.first_refusal()), false;
                 }
                 station_ = next->info.station;
+                static_cast<void>(master.set_timeouts(station_, times_of(next->named->entry.timeouts)));
                 const auto& is = next->info;
                 const auto wanted = next->named->station == 0 ? station_ : next->named->station;
                 writes_ = next->is_brought_up && station_ == wanted;
@@ -689,7 +696,7 @@ template <class... Results, class Make, class Take>
 void bus_state::ask(const slave_choice& which, operation_ptr<Results...> done, Make make, Take take,
                     std::string_view type) {
     using job = slave_job<Make, Take, Results...>;
-    add(std::make_unique<job>(which, std::move(done), std::move(make), std::move(take), type), options_.timeout);
+    add(std::make_unique<job>(which, std::move(done), std::move(make), std::move(take), type), timeout_of(which));
 }
 
 JAUSCAT_DECL void bus_state::start(operation_ptr<> done, bool takes_over) {
@@ -767,7 +774,7 @@ JAUSCAT_DECL void bus_state::change(const slave_choice& which, ethercat::al_stat
             return wake();
         }
     }
-    add(make_change_job(which, goal, std::move(done)), options_.timeout);
+    add(make_change_job(which, goal, std::move(done)), timeout_of(which));
 }
 
 } // namespace app

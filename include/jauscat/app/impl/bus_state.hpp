@@ -273,6 +273,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     [[nodiscard]] std::vector<slave_info> infos() const;
     /// Nullptr and the error where none, or several, are as required.
     [[nodiscard]] bus_slave* find(const slave_choice& which, error_code& error);
+    [[nodiscard]] duration timeout_of(const slave_choice& which);
     void log(std::string_view line) const;
     void show_frame(std::span<const std::byte> frame, bool is_sent) const;
 

@@ -460,6 +460,17 @@ JAUSCAT_DECL bus_slave* bus_state::find(const slave_choice& which, error_code& e
     return found;
 }
 
+JAUSCAT_DECL duration bus_state::timeout_of(const slave_choice& which) {
+    const auto locked = lock();
+    error_code error;
+    const auto* const slave = find(which, error);
+    if (slave == nullptr || slave->named == nullptr) return options_.timeout;
+    const auto& times = slave->named->entry.timeouts;
+    const auto time = [](const auto& given) { return duration{given.value_or(net::timeout_entry::milliseconds{})}; };
+    return options_.timeout + std::max({time(times.pre_op) + 2 * time(times.safe_op_op), time(times.back_to_init),
+                                        2 * time(times.mailbox)}); // a request, and its abort
+}
+
 JAUSCAT_DECL void bus_state::note_lost(bus_slave& slave, error_code why) {
     const bool is_known = std::exchange(slave.info.is_lost, true);
     if (is_known && slave.why == why) return;

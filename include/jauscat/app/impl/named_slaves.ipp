@@ -4,6 +4,8 @@
 #include <jauscat/esi/read_esi.hpp>
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -32,6 +34,20 @@ inline net::sync_entry sync_of_mode(const net::slave_entry& entry, const esi::de
             .shift = mode->shift_time_0};
 }
 
+/// What the entry does not say is what the file says.
+inline void add_timeouts(net::timeout_entry& to, const esi::timeouts& from) {
+    const auto add = [](auto& value, std::optional<std::chrono::milliseconds> told) {
+        constexpr std::chrono::milliseconds least{1}, most{0xFFFF};
+        if (!value && told)
+            value = std::chrono::duration_cast<net::timeout_entry::milliseconds>(std::clamp(*told, least, most));
+    };
+    add(to.pre_op, from.pre_op);
+    add(to.safe_op_op, from.safe_op_op);
+    add(to.back_to_init, from.back_to_init);
+    add(to.back_to_safe_op, from.back_to_safe_op);
+    if (from.response) add(to.mailbox, *from.response + from.request.value_or(std::chrono::milliseconds{}));
+}
+
 inline void add_esi_identity(net::slave_entry& entry) {
     const auto device = esi::read_esi(entry.esi, {.product = entry.product, .revision = entry.revision});
     if (!device) throw std::invalid_argument{"slave \"" + entry.name + "\": " + device.error().message};
@@ -41,6 +57,7 @@ inline void add_esi_identity(net::slave_entry& entry) {
     entry.product = device->product_code;
     if (!entry.revision) entry.revision = device->revision;
     if (!entry.sync_mode.empty()) entry.sync = sync_of_mode(entry, *device);
+    add_timeouts(entry.timeouts, device->timeouts);
 }
 
 JAUSCAT_DECL named_slaves::named_slaves(std::vector<net::slave_entry> entries) {

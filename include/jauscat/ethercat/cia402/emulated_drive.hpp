@@ -3,6 +3,7 @@
 
 #include <jauscat/ethercat/cia402/axis_places.hpp>
 #include <jauscat/ethercat/cia402/emulated_axis.hpp>
+#include <jauscat/ethercat/slave/assignable_pdos.hpp>
 #include <jauscat/ethercat/slave/object_dictionary.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/slave_description.hpp>
@@ -59,7 +60,8 @@ inline constexpr std::array<object, 7> mapped_inputs{
 template <std::size_t Axes = 1> inline constexpr auto drive_outputs = detail::entries_of<Axes>(detail::mapped_outputs);
 template <std::size_t Axes = 1> inline constexpr auto drive_inputs = detail::entries_of<Axes>(detail::mapped_inputs);
 
-/// A slave with this description and, behind `standard_objects`, an `emulated_drive` is a drive.
+/// A slave with this description and, behind `standard_objects`, an `emulated_drive` is a drive; with `assignable_pdos`
+/// in front of both a drive that a master maps as it needs it.
 template <std::size_t Axes = 1>
 inline constexpr ethercat::slave_description drive_description{.vendor = 0x4A43,
                                                                .product = 0x402,
@@ -88,6 +90,17 @@ template <std::size_t Axes = 1> class emulated_drive {
         if (slave.take_outputs() && operational) take(slave.outputs());
         for (auto& each : axes) each.on_time(now, operational);
         if (const auto inputs = slave.inputs(); !inputs.empty()) give(inputs);
+    }
+    /// The same with PDOs that the master maps and assigns.
+    void work(ethercat::slave& slave, ethercat::assignable_pdos& pdos, time_point now) noexcept {
+        pdos.follow(slave);
+        const bool operational = slave.state() == ethercat::al_state::op;
+        if (slave.take_outputs() && operational) {
+            pdos.take(slave.outputs());
+            for (auto& each : axes) each.on_targets();
+        }
+        for (auto& each : axes) each.on_time(now, operational);
+        if (const auto inputs = slave.inputs(); !inputs.empty()) pdos.give(inputs);
     }
     /// New outputs of the master.
     constexpr void take(std::span<const std::byte> outputs) noexcept {

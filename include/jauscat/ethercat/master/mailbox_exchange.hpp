@@ -84,7 +84,9 @@ class mailbox_exchange {
         if (was_refused_) step_ = asked_; // another copy
         const auto next = advance(datagram, slave, protocol);
         if (was_refused_ && asked_ == step::write && config.frames_may_be_copied) unsure_ = true; // a copy may be taken
-        if (next == progress::done || !timeout_.expired(now, config.mailbox_timeout)) return next;
+        const auto own = std::chrono::nanoseconds{slave.timeouts.mailbox};
+        const auto limit = own.count() != 0 ? own : config.mailbox_timeout;
+        if (next == progress::done || !timeout_.expired(now, limit)) return next;
         if (!accepted_) return fail({.code = master_errc::mailbox_full}, slave);
         if (const auto specifier = protocol.unexpected())
             return fail({.code = master_errc::unexpected_reply, .specifier = *specifier}, slave);

@@ -89,6 +89,8 @@ class master {
     [[nodiscard]] std::size_t capacity() const noexcept { return ring_.slaves.capacity(); }
     /// The record of a slave; none if it has not been brought up.
     [[nodiscard]] const slave_record* find(std::uint16_t station) const noexcept { return ring_.slaves.find(station); }
+    /// How long a slave may take from now on, also when it is brought up again. False if it is not known.
+    JAUSCAT_FUNCTION bool set_timeouts(std::uint16_t station, const slave_timeouts& timeouts) noexcept;
     /// Lends a slave's mailbox to `other`, which knows that slave alone then: transfers of this master wait until it is
     /// returned. Only while `other` is idle. False if the slave is not known.
     JAUSCAT_FUNCTION bool lend(std::uint16_t station, master& other) noexcept;

@@ -33,7 +33,7 @@ class slave_bring_up {
     /// Of the slave at `position`, from 0, which gets the station address `station` if it is `expected`. Other slaves
     /// lose that address if it `may_be_taken`.
     JAUSCAT_FUNCTION slave_bring_up(std::uint16_t position, std::uint16_t station, const identity_check& expected,
-                                    bool may_be_taken) noexcept;
+                                    bool may_be_taken, const slave_timeouts& timeouts) noexcept;
 
     /// The record of the slave; complete when the bring-up is done without error.
     [[nodiscard]] const slave_record& slave() const noexcept { return slave_; }

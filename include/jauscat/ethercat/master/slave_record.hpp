@@ -64,6 +64,20 @@ struct process_place {
     friend constexpr bool operator==(const process_place&, const process_place&) = default;
 };
 
+/// How long a slave may take, in place of the times of master_config, as the file of its vendor says (ESI: Info). 0:
+/// those of master_config.
+struct slave_timeouts {
+    using milliseconds = std::chrono::duration<std::uint16_t, std::milli>;
+
+    milliseconds pre_op{};          ///< from INIT to PRE-OP
+    milliseconds safe_op_op{};      ///< from PRE-OP to SAFE-OP, and from there to OP
+    milliseconds back_to_init{};    ///< to INIT or PRE-OP
+    milliseconds back_to_safe_op{}; ///< from OP to SAFE-OP
+    milliseconds mailbox{};         ///< one request and its answer
+
+    friend constexpr bool operator==(const slave_timeouts&, const slave_timeouts&) = default;
+};
+
 struct slave_record {
     static constexpr std::uint16_t no_position = 0xFFFF;
 
@@ -84,6 +98,7 @@ struct slave_record {
     bool is_lent{};                   ///< another master uses the mailbox: transfers of this one wait
     /// Pending abort of a cancelled segmented transfer; sent before the next transfer.
     std::optional<sdo_abort> unfinished{};
+    slave_timeouts timeouts{};   ///< `master::set_timeouts`
     emergency_log emergencies{}; ///< since it was brought up, or since they were cleared
 
     /// Takes over how the mailbox was left by the master to which it was lent.

@@ -4,9 +4,11 @@
 #include <jauscat/base/compilation.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
+#include <jauscat/ethercat/master/slave_record.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 
+#include <chrono>
 #include <cstdint>
 
 namespace jauscat::ethercat {
@@ -22,12 +24,14 @@ class state_change {
 
     state_change() noexcept = default;
     /// From whatever state the slave is in to `goal`.
-    state_change(std::uint16_t station, al_state goal) noexcept : station_{station}, goal_{goal} {}
+    state_change(std::uint16_t station, al_state goal, const slave_timeouts& limits = {}) noexcept
+        : station_{station}, goal_{goal}, limits_{limits} {}
 
     /// To INIT, whatever the state and whatever error stands: one frame and one poll where the slave is quick.
-    JAUSCAT_FUNCTION static state_change to_init(std::uint16_t station) noexcept;
+    JAUSCAT_FUNCTION static state_change to_init(std::uint16_t station, const slave_timeouts& limits) noexcept;
     /// From a state that the slave is known to be in, one step up.
-    JAUSCAT_FUNCTION static state_change step_up(std::uint16_t station, al_state from) noexcept;
+    JAUSCAT_FUNCTION static state_change step_up(std::uint16_t station, al_state from,
+                                                 const slave_timeouts& limits) noexcept;
 
     [[nodiscard]] const master_result<>& result() const noexcept { return result_; }
 
@@ -43,12 +47,16 @@ class state_change {
     JAUSCAT_FUNCTION static al_state towards(al_state from, al_state goal) noexcept;
     JAUSCAT_FUNCTION static al_state above(al_state state) noexcept;
 
+    // Of the step from `from_` to `next_`.
+    [[nodiscard]] JAUSCAT_FUNCTION std::chrono::nanoseconds limit(const master_config& config) const noexcept;
+
     JAUSCAT_FUNCTION progress go(step next) noexcept;
     JAUSCAT_FUNCTION progress fail(const master_error& error) noexcept;
 
     std::uint16_t station_{};
     al_state goal_{}, from_{}, next_{};
     step step_{};
+    slave_timeouts limits_{};
     timeout timeout_{};
     master_result<> result_{};
 };

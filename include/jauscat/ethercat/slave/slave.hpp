@@ -22,7 +22,8 @@
 
 namespace jauscat::ethercat {
 
-/// A slave with a CoE mailbox and, if its description has any, process data.
+/// A slave with a CoE mailbox and, if its description has any, process data. A master can write its SII, the first
+/// sii_image::max_size bytes: what it loads of it holds from the next power-on, or when a master lets it load that.
 class slave {
   public:
     /// `objects`, what `description` refers to, and the memory in `options` must outlive the slave.
@@ -71,6 +72,12 @@ class slave {
     /// go back.
     JAUSCAT_FUNCTION void on_time(time_point now) noexcept;
 
+    /// From now on it expects so many bytes of process data (see process_memory), in place of what the description has.
+    /// Not for a slave with slave_description::areas. In INIT and PRE-OP only.
+    void set_process_data_sizes(std::size_t outputs, std::size_t inputs) noexcept {
+        process_data_.set_sizes(outputs, inputs);
+    }
+
     /// The outputs in force: those that a master wrote last in OP. The application decides which state is safe without
     /// a master: see `state`.
     [[nodiscard]] std::span<const std::byte> outputs() const noexcept { return process_data_.outputs(); }
@@ -79,6 +86,12 @@ class slave {
     /// What a master reads from SAFE-OP on; the application writes it. Of a slave with several SyncManagers of inputs
     /// (`slave_description::areas`) those of the `n`-th.
     [[nodiscard]] std::span<std::byte> inputs(std::size_t n = 0) noexcept { return process_data_.inputs(esc_, n); }
+
+    /// Tells the master what has happened, by the next message that it reads from the mailbox. False in INIT, without a
+    /// mailbox, and while slave_mailbox::max_emergencies wait: it is not told then.
+    bool send_emergency(const coe_emergency& what) noexcept {
+        return state() != al_state::init && mailbox_.send_emergency(what);
+    }
 
     [[nodiscard]] al_status status() const noexcept { return esc_.load(esc_registers::al_status); }
     [[nodiscard]] al_state state() const noexcept { return status().state; }
@@ -98,10 +111,10 @@ class slave {
     [[nodiscard]] bool needs_sync() const noexcept { return description_.needs_sync && esc_.has_clock(); }
     [[nodiscard]] JAUSCAT_FUNCTION bool makes_sync0() const noexcept;
 
-    [[nodiscard]] std::span<const std::byte> sii() const noexcept {
-        return description_.sii.empty() ? std::span<const std::byte>{sii_} : description_.sii;
-    }
     JAUSCAT_FUNCTION void access_sii() noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION std::byte sii_byte(std::size_t at) const noexcept;
+    // As the slave controller does at power-on.
+    JAUSCAT_FUNCTION void load_configuration(sii_request& status) noexcept;
 
     slave_description description_;
     slave_mailbox mailbox_;

@@ -7,6 +7,7 @@
 #include <jauscat/ethercat/slave/esc_memory.hpp>
 #include <jauscat/ethercat/slave/slave_description.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
+#include <jauscat/schema/ethercat/coe.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
 
 #include <algorithm>
@@ -33,6 +34,10 @@ class slave_mailbox {
     /// The SyncManagers equal the description.
     [[nodiscard]] JAUSCAT_FUNCTION bool is_configured(esc_memory& memory) const noexcept;
 
+    /// The next message that a master reads. False without a mailbox, and while `max_emergencies` wait.
+    [[nodiscard]] JAUSCAT_FUNCTION bool send_emergency(const coe_emergency& what) noexcept;
+    static constexpr std::size_t max_emergencies = 4;
+
     /// A frame has passed, and the slave is not in INIT.
     JAUSCAT_FUNCTION void work(esc_memory& memory) noexcept;
 
@@ -48,6 +53,9 @@ class slave_mailbox {
                                  std::span<std::byte> reply) noexcept;
 
     JAUSCAT_FUNCTION void go_on(esc_memory& memory, std::span<std::byte> reply) noexcept;
+    JAUSCAT_FUNCTION void put_emergency(esc_memory& memory, std::span<std::byte> reply) noexcept;
+    // Keeps the message before, which may have to be repeated.
+    JAUSCAT_FUNCTION void put_next(esc_memory& memory, std::size_t size, std::span<std::byte> reply) noexcept;
 
     JAUSCAT_FUNCTION void put(esc_memory& memory, mailbox_header header, std::size_t size,
                               std::span<std::byte> reply) noexcept;
@@ -68,6 +76,8 @@ class slave_mailbox {
     bool continued_{};  // `before_` is the part of the answer before the one in the memory
     bool going_back_{}; // ... and they have changed places
     std::array<std::byte, max_mailbox_size> before_{};
+    std::array<coe_emergency, max_emergencies> emergencies_{};
+    std::size_t waiting_emergencies_{};
 };
 
 } // namespace jauscat::ethercat

@@ -23,6 +23,8 @@ class slave_process_data {
     /// Of the slave's areas for process data, which must outlive this.
     JAUSCAT_FUNCTION explicit slave_process_data(const slave_description& description) noexcept;
 
+    JAUSCAT_FUNCTION void set_sizes(std::size_t outputs, std::size_t inputs) noexcept;
+
     JAUSCAT_FUNCTION void power_on(esc_memory& memory) noexcept;
 
     /// Reason for refusing SAFE-OP or OP; `none` if allowed.

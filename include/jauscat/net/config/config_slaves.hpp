@@ -158,12 +158,24 @@ inline void config_sync(const config_source& source, pugi::xml_node node, slave_
         .shift = later};
 }
 
+inline timeout_entry config_timeouts(const config_source& source, pugi::xml_node node) {
+    std::array values{config_value{"pre_op"}, config_value{"safe_op_op"}, config_value{"back_to_init"},
+                      config_value{"back_to_safe_op"}, config_value{"mailbox"}};
+    source.collect(node, values);
+    const auto time = [&](const config_value& value) -> std::optional<timeout_entry::milliseconds> {
+        const auto count = config_optional_number<std::uint16_t>(source, value, 1, "a time in ms");
+        if (!count) return {};
+        return timeout_entry::milliseconds{*count};
+    };
+    return {time(values[0]), time(values[1]), time(values[2]), time(values[3]), time(values[4])};
+}
+
 inline slave_entry config_slave(const config_source& source, pugi::xml_node node) {
     std::array values{config_value{"name"},           config_value{"position"}, config_value{"alias"},
                       config_value{"identification"}, config_value{"vendor"},   config_value{"product"},
                       config_value{"revision"},       config_value{"serial"},   config_value{"esi"},
                       config_value{"optional"}};
-    source.collect(node, values, {"sdo", "sync"});
+    source.collect(node, values, {"sdo", "sync", "timeouts"});
     const auto& [name, position, alias, identification, vendor, product, revision, serial, esi, is_optional] = values;
     source.need(node, {name});
     if (name.text.find_first_of(" \t\r\n") != name.text.npos)
@@ -191,6 +203,12 @@ inline slave_entry config_slave(const config_source& source, pugi::xml_node node
             source.fail(config_errc::duplicate, "sync", source.line_of(child),
                         "the slave " + quoted(std::string_view{made.name}) + " has two <sync>; leave one");
         source.attempt([&] { config_sync(source, child, made); });
+    }
+    for (const auto child : node.children("timeouts")) {
+        if (made.timeouts != timeout_entry{})
+            source.fail(config_errc::duplicate, "timeouts", source.line_of(child),
+                        "the slave " + quoted(std::string_view{made.name}) + " has two <timeouts>; leave one");
+        source.attempt([&] { made.timeouts = config_timeouts(source, child); });
     }
     for (const auto child : node.children("sdo"))
         source.attempt([&] { made.start_up.push_back(config_start_up_sdo(source, child)); });

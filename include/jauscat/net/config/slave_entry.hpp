@@ -1,6 +1,7 @@
 // The slaves of an EtherCAT master, as the configuration names them.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -27,6 +28,19 @@ struct sync_entry {
     friend bool operator==(const sync_entry&, const sync_entry&) = default;
 };
 
+/// How long a slave may take, 1 ms or more, as ethercat::slave_timeouts. Nothing: what the ESI file says, else the
+/// times of the master.
+struct timeout_entry {
+    using milliseconds = std::chrono::duration<std::uint16_t, std::milli>;
+
+    std::optional<milliseconds> pre_op{};          ///< from INIT to PRE-OP
+    std::optional<milliseconds> safe_op_op{};      ///< from PRE-OP to SAFE-OP, and from there to OP
+    std::optional<milliseconds> back_to_init{};    ///< to INIT or PRE-OP
+    std::optional<milliseconds> back_to_safe_op{}; ///< from OP to SAFE-OP
+    std::optional<milliseconds> mailbox{};         ///< one request and its answer
+    friend bool operator==(const timeout_entry&, const timeout_entry&) = default;
+};
+
 /// A slave by name, and how it is known. Another slave in its place is refused. At least one of the values that
 /// identify it is given; what is not given is not compared.
 struct slave_entry {
@@ -46,6 +60,7 @@ struct slave_entry {
     /// While its process data are exchanged.
     std::optional<sync_entry> sync{};
     std::string sync_mode{}; ///< the same by the name of an OpMode of the ESI file; empty: `sync` has them
+    timeout_entry timeouts{};
     std::size_t line{};
     friend bool operator==(const slave_entry&, const slave_entry&) = default;
 };

@@ -39,13 +39,14 @@ JAUSCAT_FUNCTION slave_bring_up begin_bring_up(const bring_up& job, slave_list& 
     const auto known = before != nullptr ? *before : slave_record{};
     slaves.remove(job.position, job.station);
     if (before != nullptr) slaves.add_away(known);
-    return {job.position, job.station, job.identity, !is_ours};
+    return {job.position, job.station, job.identity, !is_ours, known.timeouts};
 }
 
 JAUSCAT_FUNCTION slave_record complete_bring_up(slave_record slave, slave_list& slaves) noexcept {
     if (const auto* const before = slaves.find_away(slave.station)) {
         slave.process_data = before->process_data; // it keeps its place in the image
         slave.unfinished = before->unfinished;     // a change of state does not end it in every slave
+        slave.timeouts = before->timeouts;
         slave.last_counter = before->last_counter; // some slaves keep it, and drop a message with the same one
     }
     slaves.remove(slave.position, slave.station);
@@ -224,8 +225,9 @@ namespace jauscat::ethercat {
 JAUSCAT_FUNCTION master_error job_machine<jauscat::ethercat::change_state>::begin(const change_state& job,
                                                                                   ring_knowledge& ring,
                                                                                   const master_config&) noexcept {
-    steps_ = state_change{job.station, job.goal};
-    return detail::begin_change(ring.slaves, job.station, job.goal);
+    const auto refused = detail::begin_change(ring.slaves, job.station, job.goal);
+    if (refused == master_error{}) steps_ = {job.station, job.goal, ring.slaves.find(job.station)->timeouts};
+    return refused;
 }
 
 JAUSCAT_FUNCTION master_error job_machine<jauscat::ethercat::change_states>::begin(const change_states& job,
@@ -235,7 +237,7 @@ JAUSCAT_FUNCTION master_error job_machine<jauscat::ethercat::change_states>::beg
     steps_ = steps{job.places};
     for (auto& each : places_)
         if (each.error = detail::begin_change(ring.slaves, each.station, job.goal); each.error == master_error{})
-            steps_.begin(each, state_change{each.station, job.goal});
+            steps_.begin(each, state_change{each.station, job.goal, ring.slaves.find(each.station)->timeouts});
     return {};
 }
 

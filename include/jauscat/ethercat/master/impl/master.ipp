@@ -34,6 +34,12 @@ JAUSCAT_FUNCTION void master::take_back(const master& other) noexcept {
             slave->return_mailbox(each);
 }
 
+JAUSCAT_FUNCTION bool master::set_timeouts(std::uint16_t station, const slave_timeouts& timeouts) noexcept {
+    auto* const slave = ring_.slaves.find(station);
+    if (slave != nullptr) slave->timeouts = timeouts;
+    return slave != nullptr;
+}
+
 JAUSCAT_FUNCTION void master::clear_emergencies(std::uint16_t station) noexcept {
     if (auto* const slave = ring_.slaves.find(station)) slave->emergencies.clear();
 }

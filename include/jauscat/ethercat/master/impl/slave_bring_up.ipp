@@ -5,10 +5,12 @@
 namespace jauscat::ethercat {
 
 JAUSCAT_FUNCTION slave_bring_up::slave_bring_up(std::uint16_t position, std::uint16_t station,
-                                                const identity_check& expected, bool may_be_taken) noexcept
-    : may_be_taken_{may_be_taken}, expected_{expected}, change_{state_change::to_init(station)} {
+                                                const identity_check& expected, bool may_be_taken,
+                                                const slave_timeouts& timeouts) noexcept
+    : may_be_taken_{may_be_taken}, expected_{expected}, change_{state_change::to_init(station, timeouts)} {
     slave_.position = position;
     slave_.station = station;
+    slave_.timeouts = timeouts;
 }
 
 JAUSCAT_FUNCTION void slave_bring_up::request(frame_builder& frame) noexcept {
@@ -68,7 +70,7 @@ JAUSCAT_FUNCTION progress slave_bring_up::reply(replies datagrams, time_point no
     case step::configure: return go(step::give_sii);
     default: break; // give_sii
     }
-    change_ = state_change::step_up(slave_.station, al_state::init);
+    change_ = state_change::step_up(slave_.station, al_state::init, slave_.timeouts);
     return go(step::to_pre_op);
 }
 

@@ -4,15 +4,17 @@
 
 namespace jauscat::ethercat {
 
-JAUSCAT_FUNCTION state_change state_change::to_init(std::uint16_t station) noexcept {
-    state_change change{station, al_state::init};
+JAUSCAT_FUNCTION state_change state_change::to_init(std::uint16_t station, const slave_timeouts& limits) noexcept {
+    state_change change{station, al_state::init, limits};
     change.from_ = al_state::init;
     change.step_ = step::acknowledge;
     return change;
 }
 
-JAUSCAT_FUNCTION state_change state_change::step_up(std::uint16_t station, al_state from) noexcept {
-    state_change change{station, above(from)};
+JAUSCAT_FUNCTION state_change state_change::step_up(std::uint16_t station, al_state from,
+                                                    const slave_timeouts& limits) noexcept {
+    state_change change{station, above(from), limits};
+    change.from_ = from;
     change.next_ = change.goal_;
     change.step_ = step::request;
     return change;
@@ -36,7 +38,7 @@ JAUSCAT_FUNCTION progress state_change::reply(replies datagrams, time_point now,
     if (step_ == step::request) return go(step::wait);
 
     const auto status = datagrams.front().value(esc_registers::al_status);
-    const bool late = timeout_.expired(now, config.state_timeout);
+    const bool late = timeout_.expired(now, limit(config));
     switch (step_) {
     case step::look: from_ = status.state; return status.error ? go(step::acknowledge) : on_the_way();
     case step::wait_acknowledged:
@@ -50,6 +52,16 @@ JAUSCAT_FUNCTION progress state_change::reply(replies datagrams, time_point now,
         from_ = next_;
         return on_the_way();
     }
+}
+
+JAUSCAT_FUNCTION std::chrono::nanoseconds state_change::limit(const master_config& config) const noexcept {
+    using enum al_state;
+    slave_timeouts::milliseconds own{};
+    if (step_ == step::wait && from_ < next_)
+        own = next_ == pre_op ? limits_.pre_op : limits_.safe_op_op;
+    else if (step_ == step::wait)
+        own = from_ == op && next_ == safe_op ? limits_.back_to_safe_op : limits_.back_to_init;
+    return own.count() != 0 ? std::chrono::nanoseconds{own} : config.state_timeout;
 }
 
 JAUSCAT_FUNCTION progress state_change::on_the_way() noexcept {

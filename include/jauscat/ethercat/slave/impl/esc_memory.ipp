@@ -275,7 +275,8 @@ JAUSCAT_CONSTEXPR bool esc_memory::is_writable(std::size_t address) const noexce
            within(esc_registers::digital_outputs) || within(esc_registers::al_control) ||
            within(esc_registers::ecat_event_mask) || within(esc_registers::watchdog_divider) ||
            within(esc_registers::pdi_watchdog) || within(esc_registers::process_data_watchdog) ||
-           within(esc_registers::sii_owner) || (within(esc_registers::sii_address) && sii_is_masters());
+           within(esc_registers::sii_owner) ||
+           ((within(esc_registers::sii_address) || within(esc_registers::sii_data)) && sii_is_masters());
 }
 
 JAUSCAT_CONSTEXPR void esc_memory::start_sii(std::size_t address, std::span<const std::byte> in) noexcept {

@@ -11,15 +11,23 @@ JAUSCAT_FUNCTION slave::slave(const slave_description& description, object_dicti
       sii_{make_sii_image(description,
                           {.sdo_information = objects.is_described(), .complete_access = objects.is_described()})},
       process_data_{description} {
+    if (!description.sii.empty()) {
+        const auto kept = description.sii.first(std::min(description.sii.size(), sii_image::max_size));
+        sii_ = {};
+        std::ranges::fill(sii_.whole(), std::byte{0xFF});
+        std::ranges::copy(kept, sii_.whole().begin());
+        sii_.fit(kept.size());
+    }
     set_clock_error({});
 }
 
 JAUSCAT_FUNCTION void slave::power_on() noexcept {
     esc_.reset();
     esc_.store(esc_registers::pdi_control, {sii_pdi_control});
-    esc_.store(esc_registers::station_alias, {description_.station_alias});
-    esc_.store(esc_registers::sii_request,
-               {.eight_byte_reads = description_.eight_byte_sii_reads, .two_address_bytes = sii().size() > 2048});
+    sii_request sii{.eight_byte_reads = description_.eight_byte_sii_reads,
+                    .two_address_bytes = std::max(sii_.size(), description_.sii.size()) > 2048};
+    load_configuration(sii);
+    esc_.store(esc_registers::sii_request, sii);
     mailbox_.power_on(esc_);
     process_data_.power_on(esc_);
     sync0_count_ = 0;
@@ -138,19 +146,38 @@ JAUSCAT_FUNCTION bool slave::makes_sync0() const noexcept {
 
 JAUSCAT_FUNCTION void slave::access_sii() noexcept {
     auto access = esc_.load(esc_registers::sii_access);
-    access.request.busy = false;
-    if (access.request.cmd == sii_command::read) {
-        const auto image = sii();
-        const std::size_t count = description_.eight_byte_sii_reads ? 8 : 4;
-        for (std::size_t i = 0; i != count; ++i) {
-            const std::size_t at = std::size_t{access.request.address} * 2 + i;
-            access.data[i] = at < image.size() ? image[at] : std::byte{0xFF};
-        }
-    } else {
-        access.request.command_error = true; // this memory is read only
+    auto& request = access.request;
+    const std::size_t at = std::size_t{request.address} * 2;
+    switch (request.cmd) {
+    case sii_command::read:
+        for (std::size_t i = 0; i != (description_.eight_byte_sii_reads ? 8 : 4); ++i)
+            access.data[i] = sii_byte(at + i);
+        break;
+    case sii_command::write:
+        request.write_enable_error = !request.write_enable;
+        request.command_error = at >= sii_.size();
+        if (!request.write_enable_error && !request.command_error)
+            std::ranges::copy_n(access.data.begin(), 2, sii_.whole().begin() + static_cast<std::ptrdiff_t>(at));
+        break;
+    case sii_command::reload: load_configuration(request); break;
+    default: request.command_error = true;
     }
-    access.request.cmd = sii_command::clear;
+    request.busy = request.write_enable = false;
+    request.cmd = sii_command::clear;
     esc_.store(esc_registers::sii_access, access);
+}
+
+JAUSCAT_FUNCTION std::byte slave::sii_byte(std::size_t at) const noexcept {
+    if (at < sii_.size()) return sii_[at];
+    return at < description_.sii.size() ? description_.sii[at] : std::byte{0xFF};
+}
+
+JAUSCAT_FUNCTION void slave::load_configuration(sii_request& status) noexcept {
+    const std::span words{sii_.data(), sii_configuration_checked + 2};
+    sii_configuration loaded{};
+    static_cast<void>(wire::decode(loaded, words));
+    status.checksum_error = (loaded.checksum & 0xFF) != sii_checksum(words.first(sii_configuration_checked));
+    esc_.store(esc_registers::station_alias, {status.checksum_error ? std::uint16_t{} : loaded.station_alias});
 }
 
 } // namespace jauscat::ethercat

@@ -21,6 +21,7 @@ JAUSCAT_FUNCTION void slave_mailbox::power_on(esc_memory& memory) noexcept {
 JAUSCAT_FUNCTION void slave_mailbox::forget(esc_memory& memory) noexcept {
     last_counter_ = sent_counter_ = 0;
     replied_ = waiting_ = continued_ = going_back_ = false;
+    waiting_emergencies_ = 0;
     coe_.forget_transfer();
     if (!has_mailbox()) return;
     for (const auto n : {manager_numbers::mailbox_out, manager_numbers::mailbox_in})
@@ -38,6 +39,12 @@ JAUSCAT_FUNCTION bool slave_mailbox::is_configured(esc_memory& memory) const noe
                    sync_manager_direction::master_writes) &&
            matches(memory.manager(manager_numbers::mailbox_in), in_start_, in_size_,
                    sync_manager_direction::master_reads);
+}
+
+JAUSCAT_FUNCTION bool slave_mailbox::send_emergency(const coe_emergency& what) noexcept {
+    if (!has_mailbox() || waiting_emergencies_ == max_emergencies) return false;
+    emergencies_[waiting_emergencies_++] = what;
+    return true;
 }
 
 JAUSCAT_FUNCTION void slave_mailbox::work(esc_memory& memory) noexcept {
@@ -61,6 +68,8 @@ JAUSCAT_FUNCTION void slave_mailbox::work(esc_memory& memory) noexcept {
     } else if (configured && going_back_) {
         exchange(memory, in);
         going_back_ = false;
+    } else if (configured && waiting_emergencies_ != 0) {
+        put_emergency(memory, memory.area(in));
     } else if (configured && coe_.has_more()) {
         go_on(memory, memory.area(in));
     }
@@ -108,9 +117,23 @@ JAUSCAT_FUNCTION void slave_mailbox::answer(esc_memory& memory, std::span<const 
 
 JAUSCAT_FUNCTION void slave_mailbox::go_on(esc_memory& memory, std::span<std::byte> reply) noexcept {
     std::ranges::copy(reply, before_.begin());
-    continued_ = true;
-    mailbox_header header{.type = mailbox_type::coe, .counter = after(sent_counter_)};
-    put(memory, header, coe_.next(reply.subspan(wire::max_size<mailbox_header>)).size, reply);
+    put_next(memory, coe_.next(reply.subspan(wire::max_size<mailbox_header>)).size, reply);
+}
+
+JAUSCAT_FUNCTION void slave_mailbox::put_emergency(esc_memory& memory, std::span<std::byte> reply) noexcept {
+    std::ranges::copy(reply, before_.begin());
+    const auto room = reply.subspan(wire::max_size<mailbox_header>);
+    const auto header = wire::encode(coe_header{.service = coe_service::emergency}, room)->size();
+    const auto size = header + wire::encode(emergencies_.front(), room.subspan(header))->size();
+    std::ranges::rotate(emergencies_, emergencies_.begin() + 1);
+    --waiting_emergencies_;
+    put_next(memory, size, reply);
+}
+
+JAUSCAT_FUNCTION void slave_mailbox::put_next(esc_memory& memory, std::size_t size,
+                                              std::span<std::byte> reply) noexcept {
+    continued_ = replied_; // only a message of ours can go back
+    put(memory, {.type = mailbox_type::coe, .counter = after(sent_counter_)}, size, reply);
 }
 
 JAUSCAT_FUNCTION void slave_mailbox::put(esc_memory& memory, mailbox_header header, std::size_t size,

@@ -18,6 +18,13 @@ JAUSCAT_FUNCTION slave_process_data::slave_process_data(const slave_description&
                .size = static_cast<std::uint16_t>(description.input_size())}}},
       other_{description.areas} {}
 
+JAUSCAT_FUNCTION void slave_process_data::set_sizes(std::size_t outputs, std::size_t inputs) noexcept {
+    outputs_ = {.none = outputs == 0, .size = outputs};
+    inputs_ = {.none = inputs == 0, .size = inputs};
+    usual_[0].size = static_cast<std::uint16_t>(outputs);
+    usual_[1].size = static_cast<std::uint16_t>(inputs);
+}
+
 JAUSCAT_FUNCTION void slave_process_data::power_on(esc_memory& memory) noexcept {
     in_force_.fill(std::byte{});
     taken_over_ = fed_ = is_fresh_ = false;
