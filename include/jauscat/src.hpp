@@ -69,6 +69,7 @@
 #include <jauscat/ethercat/master/impl/ring_scan.ipp>
 #include <jauscat/ethercat/master/impl/sdo_information.ipp>
 #include <jauscat/ethercat/master/impl/sdo_transfer.ipp>
+#include <jauscat/ethercat/master/impl/sii_name.ipp>
 #include <jauscat/ethercat/master/impl/sii_read.ipp>
 #include <jauscat/ethercat/master/impl/sii_survey.ipp>
 #include <jauscat/ethercat/master/impl/slave_bring_up.ipp>

@@ -336,6 +336,22 @@ TEST_CASE("a slave that leaves its state by itself is reported") {
     CHECK_FALSE(std::get<0>(b.read<std::uint32_t>(b.bus->slave({.position = 1}), 0x2000, 0)));
 }
 
+TEST_CASE("a slave without objects has the name of its SII, also when it has come back") {
+    bench b{{{.vendor = 7, .product = 1, .serial = 10, .name = "axis"},
+             {.vendor = 7, .product = 3, .mailbox_out_size = 0, .mailbox_in_size = 0, .name = "1 \xB5s coupler"}}};
+    REQUIRE_FALSE(b.start());
+    const auto names = [&] {
+        std::vector<std::string> all;
+        for (const auto& each : b.bus->slaves()) all.push_back(each.name);
+        return all;
+    };
+    CHECK(names() == std::vector<std::string>{"axis", "1 \u00B5s coupler"});
+    CHECK_FALSE(b.bus->slave({.name = "1 \u00B5s coupler"}).info().has_objects);
+    b.ring.with(1, [](auto& each) { each.slave.power_on(); });
+    REQUIRE(support::until(b.context, [&] { return b.found.size() == 1; }));
+    CHECK(names() == std::vector<std::string>{"axis", "1 \u00B5s coupler"});
+}
+
 TEST_CASE("emergencies of slaves are called back") {
     bench b;
     REQUIRE_FALSE(b.start());

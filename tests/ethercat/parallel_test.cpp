@@ -5,6 +5,7 @@
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/master/process_data.hpp>
 #include <jauscat/ethercat/master/slave_matching.hpp>
+#include <jauscat/ethercat/slave/sii_image.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace jauscat::ethercat;
@@ -260,6 +262,61 @@ TEST_CASE("slaves that come or go are found while the others run") {
     REQUIRE(c.run(bring_up{.position = 10, .station = 11}));
     CHECK(c.master.find(11)->process_data == place);
     CHECK(c.in_state(al_state::op) == 97);
+}
+
+TEST_CASE("names are read from the SIIs of many slaves at once") {
+    chain c{64};
+    REQUIRE(*c.run(bring_up_all{c.places}) == 64);
+    std::vector<name_place> places;
+    for (std::uint16_t i = 0; i != 64; ++i) places.emplace_back(static_cast<std::uint16_t>(i + 1));
+    places.emplace_back(std::uint16_t{99});
+    const auto before = c.sent();
+    CHECK(*c.run(read_names{places}) == 64);
+    CHECK(c.sent() - before <= 20 * 4); // as for one, in four frames
+    for (std::size_t i = 0; i != 64; ++i) CHECK(places[i].name.view() == motor.name);
+    CHECK(places[64].error.code == master_errc::wrong_station);
+}
+
+TEST_CASE("the name in an SII is found wherever it is, and what is none is said") {
+    const auto name_in = [](const std::vector<std::pair<std::uint16_t, std::string>>& categories) {
+        std::vector<std::byte> sii(128);
+        const auto put = [&](std::size_t word) {
+            sii.push_back(static_cast<std::byte>(word & 0xFF));
+            sii.push_back(static_cast<std::byte>(word >> 8));
+        };
+        for (const auto& [category, content] : categories) {
+            put(category);
+            put((content.size() + 1) / 2);
+            for (const char c : content) sii.push_back(static_cast<std::byte>(c));
+            if (content.size() % 2 != 0) sii.emplace_back();
+        }
+        put(0xFFFF);
+        auto description = motor;
+        const auto fixed = make_sii_image(motor);
+        std::ranges::copy(std::span{fixed}.first(128), sii.begin());
+        description.sii = sii;
+        chain c{1, description};
+        REQUIRE(*c.run(bring_up_all{c.places}) == 1);
+        std::array place{name_place{1}};
+        if (*c.run(read_names{place}) == 1) return std::string{place[0].name.view()};
+        CHECK(place[0].error.code == master_errc::sii_malformed);
+        return std::string{"malformed"};
+    };
+    using namespace std::string_literals;
+    constexpr std::uint16_t strings = 10, general = 30, other = 2048;
+    const auto texts = "\3\3one\0\5drive"s; // the second is empty
+    CHECK(name_in({{strings, texts}, {general, "\1\1\1\3"s}}) == "drive");
+    CHECK(name_in({{other, "abc"}, {general, "\0\0\0\3\0\0"s}, {other, ""}, {strings, texts}}) == "drive");
+    CHECK(name_in({{strings, texts}, {general, "\0\0\0\1"s}}) == "one");
+    CHECK(name_in({{strings, texts}, {general, "\0\0\0\2"s}}).empty());
+    CHECK(name_in({{strings, texts}, {general, "\0\0\0\4"s}}).empty()); // there is none
+    CHECK(name_in({{strings, texts}, {general, "\1\1\1\0"s}}).empty());
+    CHECK(name_in({{strings, texts}}).empty());
+    CHECK(name_in({{general, "\0\0\0\1"s}}).empty());
+    CHECK(name_in({}).empty());
+    CHECK(name_in({{strings, "\1\377" + std::string(255, 'x')}, {general, "\0\0\0\1"s}}) == std::string(127, 'x'));
+    CHECK(name_in({{strings, "\1\12cut"s}, {general, "\0\0\0\1"s}}) == "malformed");
+    CHECK(name_in(std::vector<std::pair<std::uint16_t, std::string>>(200, {other, ""})) == "malformed");
 }
 
 TEST_CASE("a slave with timeouts of its own is waited for so long") {

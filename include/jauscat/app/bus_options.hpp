@@ -135,7 +135,7 @@ class device_name {
 struct slave_choice {
     std::optional<std::uint16_t> position{}; ///< in the ring, from 0
     std::optional<std::uint16_t> alias{};    ///< configured station alias, 1 to 65535
-    device_name name{};                      ///< in bus_options::slaves, or else the device name, object 1008h
+    device_name name{};                      ///< in bus_options::slaves, or else the device name, of slave_info::name
     required_identity identity{};
 
     friend bool operator==(const slave_choice&, const slave_choice&) = default;
@@ -147,7 +147,7 @@ struct slave_info {
     std::uint16_t station{};       ///< station address
     std::uint16_t alias{};         ///< configured station alias; 0: none
     std::string configured_name{}; ///< in bus_options::slaves; empty: none
-    std::string name{};            ///< object 1008h; empty: it has none
+    std::string name{};            ///< object 1008h, or in the SII; empty: it has none
     std::uint32_t vendor{};
     std::uint32_t product{};
     std::uint32_t revision{};

@@ -4,6 +4,7 @@
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 #include <jauscat/text/master_error_text.hpp>
+#include <jauscat/text/quoted.hpp>
 
 #include <algorithm>
 #include <array>
@@ -79,37 +80,53 @@ inline bus_slave brought_up(std::uint16_t position, std::uint16_t station, const
     return made;
 }
 
-/// Reads the names of slaves at once.
+/// Reads the names of slaves at once: object 1008h, or that of the SII.
 class device_names {
   public:
     void add(const bus_slave& slave) {
-        if (slave.info.has_objects && !slave.why)
+        if (slave.why) return;
+        stations_.push_back(slave.info.station);
+        if (slave.info.has_objects)
             places_.emplace_back(ethercat::upload{.station = slave.info.station, .index = device_name});
     }
-    [[nodiscard]] bool empty() const noexcept { return places_.empty(); }
+    /// The next of its jobs. False: all is done.
     [[nodiscard]] bool start(ethercat::master& master) {
         constexpr std::size_t longest = 512;
-        memory_.resize(places_.size() * longest);
-        for (std::size_t i = 0; i != places_.size(); ++i)
-            places_[i].object.into = std::span{memory_}.subspan(i * longest, longest);
-        return master.start(ethercat::upload_all{places_}).has_value();
+        if (step_ == step::objects && !places_.empty()) {
+            step_ = step::sii;
+            memory_.resize(places_.size() * longest);
+            for (std::size_t i = 0; i != places_.size(); ++i)
+                places_[i].object.into = std::span{memory_}.subspan(i * longest, longest);
+            return master.start(ethercat::upload_all{places_}).has_value();
+        }
+        if (std::exchange(step_, step::done) == step::done) return false;
+        for (const auto station : stations_)
+            if (object_of(station).empty()) sii_.emplace_back(station);
+        return !sii_.empty() && master.start(ethercat::read_names{sii_}).has_value();
     }
     /// Empty: it has none.
     [[nodiscard]] std::string of(const bus_slave& slave) const {
-        const auto found = std::ranges::find(places_, slave.info.station,
-                                             [](const ethercat::upload_place& each) { return each.object.station; });
-        if (found == places_.end() || found->error != ethercat::master_error{}) return {};
-        return text_of(found->object.into.first(found->size));
-    }
-
-    static constexpr std::uint16_t device_name = ethercat::standard_indices::device_name;
-    [[nodiscard]] static std::string text_of(std::span<const std::byte> name) {
-        return std::get<1>(object_conversion<std::string>{}({}, {name.begin(), name.end()}));
+        const auto found = std::ranges::find(sii_, slave.info.station, &ethercat::name_place::station);
+        return found == sii_.end() ? object_of(slave.info.station) : text::as_utf8(found->name.view());
     }
 
   private:
+    static constexpr std::uint16_t device_name = ethercat::standard_indices::device_name;
+    enum class step : std::uint8_t { objects, sii, done };
+
+    [[nodiscard]] std::string object_of(std::uint16_t station) const {
+        const auto found =
+            std::ranges::find(places_, station, [](const ethercat::upload_place& each) { return each.object.station; });
+        if (found == places_.end() || found->error != ethercat::master_error{}) return {};
+        const auto name = found->object.into.first(found->size);
+        return std::get<1>(object_conversion<std::string>{}({}, {name.begin(), name.end()}));
+    }
+
+    step step_{};
+    std::vector<std::uint16_t> stations_{};
     std::vector<ethercat::upload_place> places_{};
     std::vector<std::byte> memory_{};
+    std::vector<ethercat::name_place> sii_{};
 };
 
 /// Brings a slave up again and reads its name.
@@ -123,31 +140,27 @@ class slave_identification {
         found.info.station = station;
     }
 
-    bool begin(bus_state& bus, ethercat::master& master) {
-        const auto station = found.info.station;
+    bool begin(ethercat::master& master) {
         if (step_ == step::bring_up)
-            return master.start(ethercat::bring_up{found.info.position, station, required_}).has_value();
-        if (step_ == step::name)
-            return master.start(ethercat::upload{station, device_names::device_name, 0, bus.memory()}).has_value();
+            return master.start(ethercat::bring_up{found.info.position, found.info.station, required_}).has_value();
+        if (names_.start(master)) return true;
+        found.info.name = names_.of(found);
         return false;
     }
     void end(ethercat::master& master) {
-        if (step_ == step::bring_up) {
-            found = brought_up(found.info.position, found.info.station, master, master.error());
-            step_ = !found.why && found.info.has_objects ? step::name : step::done;
-        } else { // not every slave has one
-            if (const auto name = master.result<ethercat::upload>()) found.info.name = device_names::text_of(*name);
-            step_ = step::done;
-        }
+        if (std::exchange(step_, step::name) != step::bring_up) return;
+        found = brought_up(found.info.position, found.info.station, master, master.error());
+        names_.add(found);
     }
 
     bus_slave found{};
 
   private:
-    enum class step : std::uint8_t { bring_up, name, done };
+    enum class step : std::uint8_t { bring_up, name };
 
     step step_{};
     ethercat::identity_check required_{};
+    device_names names_{};
 };
 
 /// Finds all slaves.
@@ -177,10 +190,10 @@ class start_job final : public bus_job {
             const auto& made = found_.back();
             if (!is_served || (made.is_identified && !made.info.is_lost)) names_.add(made);
         }
-        if (!are_named_ && !names_.empty()) return names_.start(master);
+        if (names_.start(master)) return true;
         error_code first;
         for (auto& each : found_) {
-            if (each.info.has_objects) each.info.name = names_.of(each);
+            if (const auto name = names_.of(each); !name.empty()) each.info.name = name;
             if (!each.info.is_served) each.info.is_lost = each.why.failed();
             if (each.info.is_served || !each.why) continue;
             bus.log(name_of(each.info) + " is not brought up: " + each.why.message());
@@ -193,10 +206,7 @@ class start_job final : public bus_job {
     }
     void end(bus_state& bus, ethercat::master& master) override {
         if (const auto error = error_of(master.error())) return fail(error);
-        if (is_brought_up_) {
-            are_named_ = true;
-            return;
-        }
+        if (is_brought_up_) return;
         if (!is_counted_ && !is_serving_ && look_.ends(bus, master)) {
             if (look_.is_occupied()) fail(bus_errc::in_use);
             return;
@@ -228,7 +238,6 @@ class start_job final : public bus_job {
     bring_ups new_{};
     std::vector<bus_slave> found_{};
     device_names names_{};
-    bool are_named_{};
 };
 
 inline ethercat::slave_timeouts times_of(const net::timeout_entry& entry) {
@@ -263,7 +272,7 @@ class find_job final : public bus_job {
                         found_.push_back(brought_up(position, station, master, ups_.error_at(position)));
                         names_.add(found_.back());
                     }
-                if (!are_named_ && !names_.empty()) return names_.start(master);
+                if (names_.start(master)) return true;
                 for (auto& each : found_) {
                     each.info.name = names_.of(each);
                     if (bus.note_brought_up(each, each.why)) places_.emplace_back(each.info.station);
@@ -322,7 +331,7 @@ class find_job final : public bus_job {
             if (error) return fail(error);
             step_ = step::name;
             return;
-        case step::name: are_named_ = true; return;
+        case step::name: return;
         case step::identify:
             for (const auto& each : places_)
                 if (auto* const slave = bus.at(each.station)) {
@@ -385,7 +394,6 @@ class find_job final : public bus_job {
     bring_ups ups_{};
     std::vector<bus_slave> found_{};
     device_names names_{};
-    bool are_named_{};
     std::vector<ethercat::identify_place> places_{};
     std::uint16_t station_{}; ///< of the slave that is prepared
     bool writes_{};           ///< its start-up objects; else it is brought up
@@ -402,7 +410,7 @@ class look_job final : public bus_job {
         switch (step_) {
         case step::look: return master.start(ethercat::check{slave->info.station}).has_value();
         case step::collect: return master.start(ethercat::collect_emergencies{slave->info.station}).has_value();
-        case step::identify: return one_.begin(bus, master) || (identified(bus), false);
+        case step::identify: return one_.begin(master) || (identified(bus), false);
         case step::done: break;
         }
         return false;

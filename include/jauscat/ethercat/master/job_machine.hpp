@@ -175,6 +175,13 @@ template <> class job_machine<identify_all> : public detail::parallel_machine<id
     JAUSCAT_FUNCTION progress reply(replies datagrams, time_point now, const master_config& config) noexcept;
 };
 
+template <> class job_machine<read_names> : public detail::parallel_machine<name_place> {
+  public:
+    [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const read_names& job, ring_knowledge& ring,
+                                                      const master_config&) noexcept;
+    JAUSCAT_FUNCTION progress reply(replies datagrams, time_point now, const master_config& config) noexcept;
+};
+
 template <> class job_machine<locate_slaves> : public detail::plain_machine<slave_location> {
   public:
     [[nodiscard]] JAUSCAT_FUNCTION master_error begin(const locate_slaves& job, ring_knowledge& ring,
@@ -390,9 +397,9 @@ template <> class job_machine<start_sync> : public detail::plain_machine<sync_se
 /// The machine of the job that runs, or of the last one; none before the first one.
 using any_job_machine =
     std::variant<std::monostate, job_machine<scan>, job_machine<bring_up>, job_machine<bring_up_all>,
-                 job_machine<identify>, job_machine<identify_all>, job_machine<locate_slaves>, job_machine<configure>,
-                 job_machine<configure_all>, job_machine<change_state>, job_machine<change_states>,
-                 job_machine<check_positions>, job_machine<check>, job_machine<download>,
+                 job_machine<identify>, job_machine<identify_all>, job_machine<read_names>, job_machine<locate_slaves>,
+                 job_machine<configure>, job_machine<configure_all>, job_machine<change_state>,
+                 job_machine<change_states>, job_machine<check_positions>, job_machine<check>, job_machine<download>,
                  job_machine<run_init_commands>, job_machine<upload>, job_machine<upload_all>,
                  job_machine<list_objects>, job_machine<describe_object>, job_machine<describe_entry>,
                  job_machine<collect_emergencies>, job_machine<exchange_datagram>, job_machine<set_up_clocks>,

@@ -9,6 +9,7 @@
 #include <jauscat/ethercat/master/position_check.hpp>
 #include <jauscat/ethercat/master/sdo_options.hpp>
 #include <jauscat/ethercat/master/sdo_transfer.hpp>
+#include <jauscat/ethercat/master/sii_name.hpp>
 #include <jauscat/ethercat/master/slave_bring_up.hpp>
 #include <jauscat/ethercat/master/slave_identification.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
@@ -84,6 +85,23 @@ struct identify_place : parallel_place<slave_identification> {
 struct identify_all {
     std::span<identify_place> places{};
     bool device_id{};
+    using result_type = master_result<std::size_t>;
+};
+
+/// One of the slaves of read_names: its station address, its name, why that was not read, and memory.
+struct name_place : parallel_place<sii_name> {
+    std::uint16_t station{};
+    sii_text name{};
+
+    name_place() noexcept = default;
+    explicit name_place(std::uint16_t of) noexcept : station{of} {}
+};
+
+/// Reads the names of many slaves from their SIIs at once; object 1008h has the one that CoE gives. Each place has the
+/// error of its slave: wrong_station, duplicate_station, working_counter, sii_busy, sii_error, sii_malformed. Gives the
+/// number of slaves without an error.
+struct read_names {
+    std::span<name_place> places{};
     using result_type = master_result<std::size_t>;
 };
 

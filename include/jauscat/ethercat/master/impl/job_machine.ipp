@@ -128,6 +128,25 @@ JAUSCAT_FUNCTION progress job_machine<jauscat::ethercat::identify_all>::reply(re
                         [](identify_place& place, const slave_identification& work) { place.is = work.value(); });
 }
 
+JAUSCAT_FUNCTION master_error job_machine<jauscat::ethercat::read_names>::begin(const read_names& job,
+                                                                                ring_knowledge& ring,
+                                                                                const master_config&) noexcept {
+    places_ = job.places;
+    steps_ = steps{job.places};
+    for (auto& each : places_) {
+        slave_record* slave{};
+        each.error = detail::choose(ring.slaves, each.station, slave);
+        if (slave != nullptr) steps_.begin(each, sii_name{each.station});
+    }
+    return {};
+}
+
+JAUSCAT_FUNCTION progress job_machine<jauscat::ethercat::read_names>::reply(replies datagrams, time_point now,
+                                                                            const master_config& config) noexcept {
+    return steps_.reply(datagrams, now, config,
+                        [](name_place& place, const sii_name& work) { place.name = work.value(); });
+}
+
 JAUSCAT_FUNCTION master_error job_machine<jauscat::ethercat::locate_slaves>::begin(const locate_slaves& job,
                                                                                    ring_knowledge& ring,
                                                                                    const master_config&) noexcept {
