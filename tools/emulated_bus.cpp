@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <deque>
 #include <map>
-#include <memory>
 #include <sstream>
 
 namespace {
@@ -241,10 +240,10 @@ class node {
 /// Emergencies of the lines of standard input, kept until their slaves can send them.
 class emergency_commands {
   public:
-    explicit emergency_commands(std::deque<node>& nodes) : nodes_{nodes}, lines_{script_lines()} {}
+    explicit emergency_commands(std::deque<node>& nodes) : nodes_{nodes} {}
 
     void work() {
-        while (const auto line = lines_->next()) {
+        while (const auto line = lines_.next()) {
             try {
                 take(*line);
             } catch (const std::exception& wrong) {
@@ -280,7 +279,7 @@ class emergency_commands {
     }
 
     std::deque<node>& nodes_;
-    std::unique_ptr<line_source> lines_;
+    script_lines lines_{};
     std::vector<std::pair<std::size_t, ethercat::coe_emergency>> waiting_{};
     example::speaker say_{"emulated_bus"};
 };

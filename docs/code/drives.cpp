@@ -46,13 +46,6 @@ int main() {
     // [drive end]
     work({});
 
-    // [assignable]
-    ethercat::assignable_pdos pdos{cia402::drive_description<>, dictionary};
-    ethercat::slave mapped_slave{cia402::drive_description<>, pdos};
-    const auto work_mapped = [&](time_point now) { drive.work(mapped_slave, pdos, now); };
-    // [assignable end]
-    work_mapped({});
-
     // [places]
     cia402::pdo_layout<> outputs, inputs;
     bool fits = true; // a pdo_layout<> has 64 entries

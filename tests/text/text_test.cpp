@@ -28,7 +28,7 @@ TEST_CASE("a message is shown with offsets, bytes, names, units and raw values")
     CHECK(text::annotate_message(bytes, jaus::message_list<jaus::set_wrench_effort>{}) ==
           "  0000  16 02         priority = 6, ack_nak = request, service_connection = false, experimental = false, "
           "version = 2, reserved = 0\n"
-          "  0002  05 04         command_code = 0x0405\n"
+          "  0002  05 04         command_code = 0x0405 (Set Wrench Effort)\n"
           "  0004  01            destination.instance = 1\n"
           "  0005  21            destination.component = 33\n"
           "  0006  02            destination.node = 2\n"

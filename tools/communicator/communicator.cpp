@@ -411,7 +411,7 @@ int main(int argc, char** argv) {
                                   .reuse_address = values.count("reuse") != 0};
         const bool by_hand = ::isatty(STDIN_FILENO) != 0;
         communicator node{example::load_config(values), std::move(how), !values["unacknowledged"].as<bool>(),
-                          by_hand ? terminal_lines("> ") : script_lines()};
+                          by_hand ? terminal_lines("> ") : std::make_unique<script_lines>()};
         return node.run() || by_hand ? example::success : example::failure;
     });
 }

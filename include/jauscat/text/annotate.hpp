@@ -3,6 +3,7 @@
 //     0012  ff 3f        propulsive_linear_effort_x = 49.998474 % (raw 16383)
 #pragma once
 #include <jauscat/text/diagnosis_text.hpp>
+#include <jauscat/text/message_name.hpp>
 #include <jauscat/text/value.hpp>
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/diagnose.hpp>
@@ -27,7 +28,10 @@ class annotating_trace : public wire::decode_trace {
             line(row);
         } else if constexpr (requires { Item::key; } && Item::max_size != 0) {
             const auto& value = wire::value_of(wire::member_of<Item::key>(object));
-            member_line(Item::name(), to_text(Item{}, value));
+            if constexpr (Item::name() == "command_code")
+                member_line(Item::name(), code_text(value));
+            else
+                member_line(Item::name(), to_text(Item{}, value));
         }
     }
     template <class Item> void passed_element(const auto& value) {

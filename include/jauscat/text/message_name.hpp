@@ -14,4 +14,11 @@ namespace jauscat::text {
     return name.empty() ? "command code " + hex_number(command_code, 4) : std::string{name};
 }
 
+/// `0x4405 (Report Wrench Effort)`
+[[nodiscard]] inline std::string code_text(std::uint16_t command_code) {
+    auto text = hex_number(command_code, 4);
+    if (const auto name = jaus::standard_name(command_code); !name.empty()) ((text += " (") += name) += ')';
+    return text;
+}
+
 } // namespace jauscat::text

@@ -1,7 +1,7 @@
 // Writes any structure as lines of text.
 #pragma once
-#include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/text/hex.hpp>
+#include <jauscat/text/message_name.hpp>
 #include <jauscat/text/print.hpp>
 #include <jauscat/text/quoted.hpp>
 #include <jauscat/text/value.hpp>
@@ -26,13 +26,6 @@ inline std::string digits(std::uint64_t number, bool is_signed) {
 }
 inline std::string_view name_in(std::span<const std::string_view> names, std::uint64_t number) {
     return number < names.size() ? names[static_cast<std::size_t>(number)] : std::string_view{};
-}
-
-/// `0x4405 (Report Wrench Effort)`
-inline std::string code_text(std::uint16_t command_code) {
-    auto text = hex_number(command_code, 4);
-    if (const auto name = jaus::standard_name(command_code); !name.empty()) ((text += " (") += name) += ')';
-    return text;
 }
 
 /// Writes any structure; a value of one line follows its name, one of more lines is indented below it.

@@ -125,7 +125,7 @@ JAUSCAT_FUNCTION void slave_mailbox::put_emergency(esc_memory& memory, std::span
     const auto room = reply.subspan(wire::max_size<mailbox_header>);
     const auto header = wire::encode(coe_header{.service = coe_service::emergency}, room)->size();
     const auto size = header + wire::encode(emergencies_.front(), room.subspan(header))->size();
-    std::ranges::rotate(emergencies_, emergencies_.begin() + 1);
+    std::rotate(emergencies_.begin(), emergencies_.begin() + 1, emergencies_.end()); // clang 14 has no ranges::rotate
     --waiting_emergencies_;
     put_next(memory, size, reply);
 }
