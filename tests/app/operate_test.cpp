@@ -447,7 +447,7 @@ TEST_CASE("many slaves are found and taken to OP in about as many frames as the 
     std::size_t running = 0;
     for (std::uint16_t i = 0; i != count; ++i)
         b.bus->slave({.position = i})
-            .async_operate({.period = 100ms, .watchdog = 2s, .timeout = 1s}, [&](error_code why) {
+            .async_operate({.period = 100ms, .watchdog = 6s, .timeout = 60s}, [&](error_code why) {
                 CHECK_FALSE(why);
                 ++running;
             });
