@@ -54,8 +54,8 @@ class slave_mailbox {
 
     JAUSCAT_FUNCTION void go_on(esc_memory& memory, std::span<std::byte> reply) noexcept;
     JAUSCAT_FUNCTION void put_emergency(esc_memory& memory, std::span<std::byte> reply) noexcept;
-    // Keeps the message before, which may have to be repeated.
-    JAUSCAT_FUNCTION void put_next(esc_memory& memory, std::size_t size, std::span<std::byte> reply) noexcept;
+    // A message without a request: `put_content(room)` returns its size. The one before it may have to be repeated.
+    void put_next(esc_memory& memory, std::span<std::byte> reply, auto&& put_content) noexcept;
 
     JAUSCAT_FUNCTION void put(esc_memory& memory, mailbox_header header, std::size_t size,
                               std::span<std::byte> reply) noexcept;

@@ -115,25 +115,24 @@ JAUSCAT_FUNCTION void slave_mailbox::answer(esc_memory& memory, std::span<const 
     if (answer.size != 0) put(memory, header, answer.size, reply);
 }
 
-JAUSCAT_FUNCTION void slave_mailbox::go_on(esc_memory& memory, std::span<std::byte> reply) noexcept {
+inline void slave_mailbox::put_next(esc_memory& memory, std::span<std::byte> reply, auto&& put_content) noexcept {
     std::ranges::copy(reply, before_.begin());
-    put_next(memory, coe_.next(reply.subspan(wire::max_size<mailbox_header>)).size, reply);
+    continued_ = replied_; // only a message of ours can go back
+    const auto size = put_content(reply.subspan(wire::max_size<mailbox_header>));
+    put(memory, {.type = mailbox_type::coe, .counter = after(sent_counter_)}, size, reply);
+}
+
+JAUSCAT_FUNCTION void slave_mailbox::go_on(esc_memory& memory, std::span<std::byte> reply) noexcept {
+    put_next(memory, reply, [this](std::span<std::byte> room) { return coe_.next(room).size; });
 }
 
 JAUSCAT_FUNCTION void slave_mailbox::put_emergency(esc_memory& memory, std::span<std::byte> reply) noexcept {
-    std::ranges::copy(reply, before_.begin());
-    const auto room = reply.subspan(wire::max_size<mailbox_header>);
-    const auto header = wire::encode(coe_header{.service = coe_service::emergency}, room)->size();
-    const auto size = header + wire::encode(emergencies_.front(), room.subspan(header))->size();
+    put_next(memory, reply, [this](std::span<std::byte> room) {
+        const auto header = wire::encode(coe_header{.service = coe_service::emergency}, room)->size();
+        return header + wire::encode(emergencies_.front(), room.subspan(header))->size();
+    });
     std::rotate(emergencies_.begin(), emergencies_.begin() + 1, emergencies_.end()); // clang 14 has no ranges::rotate
     --waiting_emergencies_;
-    put_next(memory, size, reply);
-}
-
-JAUSCAT_FUNCTION void slave_mailbox::put_next(esc_memory& memory, std::size_t size,
-                                              std::span<std::byte> reply) noexcept {
-    continued_ = replied_; // only a message of ours can go back
-    put(memory, {.type = mailbox_type::coe, .counter = after(sent_counter_)}, size, reply);
 }
 
 JAUSCAT_FUNCTION void slave_mailbox::put(esc_memory& memory, mailbox_header header, std::size_t size,
