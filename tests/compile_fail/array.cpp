@@ -2,6 +2,7 @@
 
 #ifdef OF_ANOTHER_TYPE
 // expect: array: the elements are not of the type that their codec carries
+// and: has_type<&heights::height, double,
 struct heights {
     std::array<double, 4> height{};
 };
@@ -15,6 +16,7 @@ static_assert(size_of_wrong<heights> != 0);
 
 #ifdef OF_LIST
 // expect: array: the member must be a std::array
+// and: is_array_member<&heights::height,
 struct heights {
     jauscat::wire::inline_list<std::uint8_t, 4> height{};
 };

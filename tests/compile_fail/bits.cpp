@@ -13,6 +13,7 @@ static_assert(size_of_wrong<small_message> != 0);
 
 #ifdef OF_REAL_MEMBER
 // expect: bit_field: the member must be bool, an integer or an enumeration
+// and: has_bits<&with_fraction::offset, float>
 struct with_fraction {
     float offset{};
 };
@@ -37,6 +38,7 @@ static_assert(size_of_wrong<small_message> != 0);
 
 #ifdef WIDER_THAN_MEMBER
 // expect: bit_field: the member is narrower than its bits
+// and: holds_bits<&small_message::number,
 template <> struct jauscat::wire::schema<small_message> {
     using T = small_message;
     using type = layout<bit_fields<u32le, bit_field<&T::number, 17>, reserved<15>>,
@@ -48,6 +50,7 @@ static_assert(size_of_wrong<small_message> != 0);
 
 #ifdef FLAG_NOT_BOOL
 // expect: presence_flag: the member must be a bool
+// and: has_type<&numeric_flag::present, unsigned char, bool>
 struct numeric_flag {
     std::uint8_t present{};
 };

@@ -11,6 +11,7 @@ auto make(jauscat::wire::arena& memory) { return memory.allocate<std::string>(1)
 
 #ifdef CASE_OF_ANOTHER_TYPE
 // expect: selected: a case does not fit the member's type
+// and: fits_member<&text_or_number::value,
 struct text_or_number {
     std::uint8_t tag{};
     std::string_view value{};
@@ -94,6 +95,7 @@ static_assert(size_of_wrong<with_mode> != 0);
 
 #ifdef GATED_MEMBER_NOT_OPTIONAL
 // expect: gated_by: the member must be a std::optional
+// and: may_be_absent<&always_present::number,
 struct always_present {
     bool present{};
     std::uint8_t number{};
@@ -120,6 +122,7 @@ static_assert(size_of_wrong<small_message> != 0);
 
 #ifdef MEMBER_OF_ANOTHER
 // expect: layout: a field names a member of another struct
+// and: has_type<&stranger::number,
 struct stranger {
     std::uint16_t number{};
 };
@@ -135,6 +138,7 @@ static_assert(size_of_wrong<small_message> != 0);
 
 #ifdef MEMBER_TWICE
 // expect: layout: a member is listed twice
+// and: member_once<&small_message::number, 2
 template <> struct jauscat::wire::schema<small_message> {
     using T = small_message;
     using type = layout<field<&T::number, u16le>, field<&T::level, scaled<u8, percent>>, field<&T::number, u16le>,
@@ -183,6 +187,7 @@ static_assert(size_of_wrong<small_message> != 0);
 
 #ifdef OPTIONAL_OUTSIDE_PRESENCE
 // expect: layout: a std::optional member needs a presence vector
+// and: item_always_there<jauscat::wire::field<&small_message::extra
 template <> struct jauscat::wire::schema<small_message> {
     using T = small_message;
     using type = layout<field<&T::number, u16le>, field<&T::level, scaled<u8, percent>>, field<&T::extra, u8>>;
@@ -270,6 +275,7 @@ static_assert(size_of_wrong<small_message> != 0);
 
 #ifdef TREE_OF_OTHER_NODES
 // expect: tree: the member must be a list of nodes
+// and: has_type<&planted::tree,
 struct node {
     std::uint8_t children{};
 };
@@ -307,6 +313,7 @@ constexpr auto number = jauscat::wire::view<small_message>{bytes}.get<&stranger:
 
 #ifdef WRONG_MEMBER_TYPE
 // expect: field: the member's type is not the type its codec carries
+// and: is_carried<&small_message::number,
 template <> struct jauscat::wire::schema<small_message> {
     using T = small_message;
     using type =

@@ -186,6 +186,7 @@ static_assert(size_of_wrong<tagged> != 0);
 
 #ifdef LENGTH_BEHIND_ITS_TEXT
 // expect: layout: a count, tag or flag stands behind what it is for; it must come before
+// and: &text::value, jauscat::wire::counted_by<&text::length>
 struct text {
     std::string_view value{};
     std::uint8_t length{};
@@ -212,4 +213,60 @@ template <> struct jauscat::wire::schema<announced> {
 };
 
 static_assert(size_of_wrong<announced> != 0);
+#endif
+
+#ifdef OF_NO_LIST
+// expect: repeated: the member must be a list or an inline_list
+// and: is_list_member<&one::number, unsigned char>
+struct one {
+    std::uint8_t number{};
+};
+
+template <> struct jauscat::wire::schema<one> {
+    using type = layout<repeated<&one::number, count<"numbers", u8>, element<"number", u8>>>;
+};
+
+static_assert(size_of_wrong<one> != 0);
+#endif
+
+#ifdef ELEMENTS_OF_ANOTHER_TYPE
+// expect: repeated: the elements are not of the type that their codec carries
+// and: is_carried<&heights::height, float, unsigned char>
+struct heights {
+    jauscat::wire::list<float> height{};
+};
+
+template <> struct jauscat::wire::schema<heights> {
+    using type = layout<repeated<&heights::height, count<"heights", u8>, element<"height", u8>>>;
+};
+
+static_assert(size_of_wrong<heights> != 0);
+#endif
+
+#ifdef TEXT_OF_NUMBER
+// expect: string: the member must be a std::string_view
+// and: has_type<&named::name, int, std::basic_string_view<char
+struct named {
+    int name{};
+};
+
+template <> struct jauscat::wire::schema<named> {
+    using type = layout<string<&named::name, count<"length", u8>>>;
+};
+
+static_assert(size_of_wrong<named> != 0);
+#endif
+
+#ifdef BYTES_OF_NUMBER
+// expect: bytes: the member must be a blob
+// and: has_type<&kept::data, int,
+struct kept {
+    int data{};
+};
+
+template <> struct jauscat::wire::schema<kept> {
+    using type = layout<bytes<&kept::data, rest>>;
+};
+
+static_assert(size_of_wrong<kept> != 0);
 #endif

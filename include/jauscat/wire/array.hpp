@@ -11,6 +11,13 @@ namespace detail {
 
 template <class T> inline constexpr bool is_std_array = false;
 template <class T, std::size_t Size> inline constexpr bool is_std_array<std::array<T, Size>> = true;
+template <auto Member, class Is> inline constexpr bool is_array_member = is_std_array<Is>;
+template <class Element, class Own> struct array_value {
+    using type = typename Element::value_type;
+};
+template <class Own> struct array_value<record, Own> {
+    using type = Own;
+};
 
 /// The elements of an array are single values; they are named after the member.
 template <auto Member, class Codec> struct array_element {
@@ -33,7 +40,7 @@ template <auto Member, class Element = record> struct array {
     static constexpr auto key = Member;
     using keys = key_list<Member>;
     using member_type = member_value_t<Member>;
-    static_assert(detail::is_std_array<member_type>, "array: the member must be a std::array");
+    static_assert(detail::is_array_member<Member, member_type>, "array: the member must be a std::array");
     using traits = list_traits<member_type>;
     using value_type = typename traits::value_type;
     using element_type = typename detail::array_element_of<Member, Element>::type;
@@ -49,14 +56,8 @@ template <auto Member, class Element = record> struct array {
                 return detail::checked_codec<Element>;
         }(),
         "array: the second argument is not a codec (it needs value_type, size, store and load)");
-    static_assert(
-        [] {
-            if constexpr (of_records)
-                return true;
-            else
-                return std::is_same_v<value_type, typename Element::value_type>;
-        }(),
-        "array: the elements are not of the type that their codec carries");
+    static_assert(detail::has_type<Member, value_type, typename detail::array_value<Element, value_type>::type>,
+                  "array: the elements are not of the type that their codec carries");
     using plain_form = typename detail::element_form<element_type, false, value_type>::type;
     using refers = references_of<plain_form>;
 

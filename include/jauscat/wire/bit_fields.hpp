@@ -7,6 +7,12 @@
 
 namespace jauscat::wire {
 
+namespace detail {
+template <auto Member, class Is> inline constexpr bool has_bits = std::is_enum_v<Is> || std::integral<Is>;
+template <auto Member, class Is, std::size_t Width>
+inline constexpr bool holds_bits = Width >= 1 && Width <= (std::is_same_v<Is, bool> ? 1 : sizeof(Is) * 8);
+} // namespace detail
+
 /// A bit-field of `Width` bits: the member is bool, an integer (a signed one in two's complement) or an enumeration,
 /// whose values are not negative. A value wider than its bits does not encode (`out_of_range`).
 template <auto Member, std::size_t Width> struct bit_field {
@@ -17,10 +23,9 @@ template <auto Member, std::size_t Width> struct bit_field {
     using raw_type = value_type;
     static constexpr bool optional = false;
     static constexpr bool is_signed = std::signed_integral<value_type>;
-    static_assert(std::is_enum_v<value_type> || std::integral<value_type>,
+    static_assert(detail::has_bits<Member, value_type>,
                   "bit_field: the member must be bool, an integer or an enumeration");
-    static_assert(Width >= 1 && Width <= (std::is_same_v<value_type, bool> ? 1 : sizeof(value_type) * 8),
-                  "bit_field: the member is narrower than its bits");
+    static_assert(detail::holds_bits<Member, value_type, Width>, "bit_field: the member is narrower than its bits");
 
     static consteval std::string_view name() { return name_of<Member>(); }
 

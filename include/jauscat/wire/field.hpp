@@ -18,8 +18,7 @@ template <auto Member, class Codec> struct field {
     using value_type = member_value_t<Member>;
     static constexpr bool optional = is_optional_member<Member>;
     static constexpr std::size_t min_size = Codec::size, max_size = Codec::size;
-    static_assert(std::is_same_v<value_type, typename Codec::value_type> ||
-                      (std::floating_point<value_type> && std::floating_point<typename Codec::value_type>),
+    static_assert(detail::is_carried<Member, value_type, typename Codec::value_type>,
                   "field: the member's type is not the type its codec carries");
 
     /// The member's name, for text.

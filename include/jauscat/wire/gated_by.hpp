@@ -4,6 +4,10 @@
 
 namespace jauscat::wire {
 
+namespace detail {
+template <auto Member, class Item> inline constexpr bool may_be_absent = Item::optional;
+} // namespace detail
+
 /// `Item`, with a std::optional member, is encoded only if the bool `Flag`, a member of this structure or of an
 /// enclosing one, is set. Encoding a value without its flag, or a flag without its value, gives presence_mismatch.
 template <auto Flag, class Item> struct gated_by {
@@ -17,7 +21,7 @@ template <auto Flag, class Item> struct gated_by {
     static constexpr bool contextual = true;
     static constexpr bool needs_memory = item_needs_memory<Item>;
     static constexpr std::size_t min_size = 0, max_size = Item::max_size;
-    static_assert(Item::optional, "gated_by: the member must be a std::optional");
+    static_assert(detail::may_be_absent<key, Item>, "gated_by: the member must be a std::optional");
 
     static consteval std::string_view name() { return item_label<Item>(); }
 

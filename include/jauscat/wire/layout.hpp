@@ -129,6 +129,27 @@ template <class... Items> consteval bool all_refer_back() {
         return true;
     }
 }
+/// Says which of the items refers to one behind it.
+template <class Item, std::size_t Place, class... Items> struct item_behind {
+    static_assert(refers_back<Item, Items...>(Place),
+                  "layout: a count, tag or flag stands behind what it is for; it must come before");
+};
+template <class... Items> consteval bool check_references() {
+    if constexpr (!all_refer_back<Items...>())
+        [&]<std::size_t... I>(std::index_sequence<I...>) {
+            static_cast<void>((sizeof(item_behind<Items, I, Items...>) + ...));
+        }(std::index_sequence_for<Items...>{});
+    return true;
+}
+/// Says which of the items has a member that may be absent.
+template <class Item> struct item_always_there {
+    static_assert(!Item::optional, "layout: a std::optional member needs a presence vector");
+};
+template <class... Items> consteval bool check_optional() {
+    if constexpr ((Items::optional || ... || false)) static_cast<void>((sizeof(item_always_there<Items>) + ...));
+    return true;
+}
+
 /// The members that items refer to and do not have themselves.
 template <class Keys, auto... Members> consteval auto outside(key_list<Members...>) {
     return joined_keys<std::conditional_t<Keys::template holds<Members>, key_list<>, key_list<Members>>...>{};
@@ -147,9 +168,7 @@ template <class... Items> struct layout {
     static_assert((detail::checked_item<Items> && ... && true), "layout: an item lacks an operation");
     using keys = joined_keys<typename Items::keys...>;
     using refers = decltype(detail::outer_references<keys, Items...>());
-    static_assert(detail::all_refer_back<Items...>(),
-                  "layout: a count, tag or flag stands behind what it is for; it must come before");
-    static_assert((!Items::optional && ... && true), "layout: a std::optional member needs a presence vector");
+    static_assert(detail::check_references<Items...>() && detail::check_optional<Items...>());
     static constexpr std::size_t min_size = total_size(Items::min_size...);
     static constexpr std::size_t max_size = total_size(Items::max_size...);
     static constexpr bool contextual = (is_contextual<Items> || ... || false);
@@ -241,8 +260,26 @@ template <auto... Members> consteval bool listed_once(key_list<Members...>) {
         }
     return true;
 }
+template <auto Member, auto... Members> consteval std::size_t times_in(key_list<Members...>) {
+    return (std::size_t{listed_once(key_list<Member, Members>{}) ? 0U : 1U} + ... + 0);
+}
 template <class T, auto... Members> consteval bool owned_by(key_list<Members...>) {
     return (std::is_same_v<owner_t<Members>, T> && ... && true);
+}
+/// Say which of the members it is.
+template <class T, auto Member> struct own_member {
+    static_assert(has_type<Member, owner_t<Member>, T>, "layout: a field names a member of another struct");
+};
+template <auto Member, std::size_t Times> struct member_once {
+    static_assert(Times == 1, "layout: a member is listed twice");
+};
+template <class T, auto... Members> consteval bool check_members(key_list<Members...>) {
+    if constexpr (!owned_by<T>(key_list<Members...>{})) {
+        static_cast<void>((sizeof(own_member<T, Members>) + ...));
+    } else if constexpr (!listed_once(key_list<Members...>{})) {
+        static_cast<void>((sizeof(member_once<Members, times_in<Members>(key_list<Members...>{})>) + ...));
+    }
+    return true;
 }
 
 } // namespace detail
@@ -255,8 +292,7 @@ template <class T> struct checked_schema {
     using type = typename schema<T>::type;
     using keys = typename type::keys;
     static_assert(std::is_aggregate_v<T>, "layout: a message must be a plain aggregate");
-    static_assert(detail::owned_by<T>(keys{}), "layout: a field names a member of another struct");
-    static_assert(detail::listed_once(keys{}), "layout: a member is listed twice");
+    static_assert(detail::check_members<T>(keys{}));
     static constexpr bool too_few =
         detail::owned_by<T>(keys{}) && detail::listed_once(keys{}) && has_more_members_than<T, keys::count>;
     using missing = detail::missing_member<T, keys, too_few>;

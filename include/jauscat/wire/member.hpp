@@ -47,6 +47,14 @@ template <auto Member> using member_value_t = typename detail::optional_value<me
 template <auto Member> inline constexpr bool is_optional_member = detail::optional_value<member_t<Member>>::is_optional;
 
 namespace detail {
+// Conditions of layouts are templates of a member and what it is about: compilers show these with the sentence.
+template <auto Member, class Is, class Expected> inline constexpr bool has_type = std::is_same_v<Is, Expected>;
+template <auto Member, class Is, class Carried>
+inline constexpr bool is_carried =
+    std::is_same_v<Is, Carried> || (std::is_floating_point_v<Is> && std::is_floating_point_v<Carried>);
+} // namespace detail
+
+namespace detail {
 template <auto Member> consteval std::string_view spelling_of() {
     return __PRETTY_FUNCTION__; // "... [with auto Member = &a::b::c; ...]" or "... [Member = &a::b::c]"
 }

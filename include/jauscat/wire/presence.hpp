@@ -52,7 +52,7 @@ template <auto Member> struct presence_flag {
     static constexpr bool optional = false;
     static constexpr bool takes_bit = true;
     static constexpr std::size_t min_size = 0, max_size = 0;
-    static_assert(std::is_same_v<member_t<Member>, bool>, "presence_flag: the member must be a bool");
+    static_assert(detail::has_type<Member, member_t<Member>, bool>, "presence_flag: the member must be a bool");
 
     static consteval std::string_view name() { return name_of<Member>(); }
     JAUSCAT_INLINE static constexpr errc put(const auto&, std::byte*) noexcept { return errc::ok; }
@@ -82,8 +82,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     using mask_type = word_for<Carrier>;
     using keys = joined_keys<typename Items::keys...>;
     using refers = joined_keys<references_of<Items>...>;
-    static_assert(detail::all_refer_back<Items...>(),
-                  "layout: a count, tag or flag stands behind what it is for; it must come before");
+    static_assert(detail::check_references<Items...>());
     static constexpr bool optional = false;
     static constexpr std::size_t optional_count = (static_cast<std::size_t>(takes_bit<Items>) + ... + 0);
     static constexpr bool all_fixed = (fixed_item<Items> && ... && true);

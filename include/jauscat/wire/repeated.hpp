@@ -135,6 +135,16 @@ template <class Value> struct raw_element<record, Value> {
 
 template <class Item, class Outer> class list_view;
 
+namespace detail {
+template <auto Member, class Is> inline constexpr bool is_list_member = requires { list_traits<Is>::counted; };
+template <class Element, class Own> struct list_value {
+    using type = typename Element::codec_type::value_type;
+};
+template <class Own> struct list_value<record, Own> {
+    using type = Own;
+};
+} // namespace detail
+
 /// A list: `Count` is the number of elements (count, counted_by, one_less_than), `Element` their form (record,
 /// element). Decoding a `list` stores its elements in the arena (`arena_full`); an `inline_list` holds up to its
 /// capacity (`count_above_capacity`).
@@ -142,6 +152,7 @@ template <auto Member, class Count, class Element = record> struct repeated {
     static constexpr auto key = Member;
     using keys = key_list<Member>;
     using member_type = member_value_t<Member>;
+    static_assert(detail::is_list_member<Member, member_type>, "repeated: the member must be a list or an inline_list");
     using traits = list_traits<member_type>;
     static_assert(traits::counted, "repeated: a std::array has no count (use array)");
     using value_type = typename traits::value_type;
@@ -155,6 +166,8 @@ template <auto Member, class Count, class Element = record> struct repeated {
             typename Element::codec_type;
             Element::name();
         }, "repeated: the third argument is neither record nor an element (it needs codec_type and name)");
+    static_assert(detail::is_carried<Member, value_type, typename detail::list_value<Element, value_type>::type>,
+                  "repeated: the elements are not of the type that their codec carries");
     static_assert(detail::checked_count<Count, owner_t<Member>>,
                   "repeated: the second argument is not a count (it needs prefix_size, contextual, put, get and peek)");
     using plain_form = typename detail::element_form<Element, false, value_type>::type;

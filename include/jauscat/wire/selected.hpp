@@ -151,6 +151,10 @@ template <class Value, bool Raw, class... Cases> struct case_table {
 /// The type and the sizes of a case: `value_type`, `min_size`, `max_size`.
 template <class Form> using case_form = detail::case_form<Form>;
 
+namespace detail {
+template <auto Member, class Is, class Case> inline constexpr bool fits_member = std::is_convertible_v<Case, Is>;
+} // namespace detail
+
 /// A member in the form that `Selector` selects among `Cases`. The member is a std::variant of the cases' types, or of
 /// their one type. A tag without a case, and a value that is not of its tag's type, say unknown_tag.
 /// In a `raw` a plain member with scaled cases is the integer on the wire, as std::uint64_t.
@@ -171,7 +175,8 @@ template <auto Member, class Selector, class... Cases> struct selected {
     static_assert(!(of_variant && has_scaled), "selected: scaled cases need a plain member");
     static_assert(
         of_variant ||
-            (std::is_convertible_v<typename detail::case_form<typename Cases::form>::value_type, value_type> && ...),
+            (detail::fits_member<Member, value_type, typename detail::case_form<typename Cases::form>::value_type> &&
+             ...),
         "selected: a case does not fit the member's type");
     using raw_value = std::conditional_t<has_scaled, std::uint64_t, value_type>;
     using raw_type = std::conditional_t<optional, std::optional<raw_value>, raw_value>;

@@ -233,17 +233,20 @@ template <auto Member, std::size_t Size> struct run_of<Member, fixed<Size>> {
 template <auto Member> struct run_of<Member, zero_terminated> {
     using type = terminated_run<Member>;
 };
+template <auto Member, class Extent> struct text_run : run_of<Member, Extent> {
+    static_assert(has_type<Member, member_value_t<Member>, std::string_view>,
+                  "string: the member must be a std::string_view");
+};
+template <auto Member, class Extent> struct blob_run : run_of<Member, Extent> {
+    static_assert(has_type<Member, member_value_t<Member>, blob>, "bytes: the member must be a blob");
+};
 } // namespace detail
 
 /// Characters (member: std::string_view): `fixed<N>`, `fixed_or_rest<N>`, `zero_terminated`, `rest`, or a count.
 /// A string that is longer than `N` or contains its own terminator does not encode (`out_of_range`).
-template <auto Member, class Extent>
-requires std::is_same_v<member_value_t<Member>, std::string_view>
-using string = typename detail::run_of<Member, Extent>::type;
+template <auto Member, class Extent> using string = typename detail::text_run<Member, Extent>::type;
 
 /// Bytes (member: blob): `rest` or a count.
-template <auto Member, class Extent>
-requires std::is_same_v<member_value_t<Member>, blob>
-using bytes = typename detail::run_of<Member, Extent>::type;
+template <auto Member, class Extent> using bytes = typename detail::blob_run<Member, Extent>::type;
 
 } // namespace jauscat::wire

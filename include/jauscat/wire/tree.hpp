@@ -43,7 +43,7 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
     static constexpr bool needs_memory = true;
     static constexpr std::size_t min_size = inner_layout::min_size, max_size = unbounded;
     using raw_type = list<raw<node>>;
-    static_assert(std::is_same_v<member_t<Member>, list<node>>, "tree: the member must be a list of nodes");
+    static_assert(detail::has_type<Member, member_t<Member>, list<node>>, "tree: the member must be a list of nodes");
 
     static consteval std::string_view name() { return name_of<Member>(); }
     /// The number of a node's children.
