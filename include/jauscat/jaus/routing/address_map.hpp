@@ -42,7 +42,8 @@ template <class Value> class address_map {
 
     /// Uses the largest power of two of `places`, which it empties and which must outlive it.
     constexpr explicit address_map(std::span<place> places) noexcept
-        : places_{places.first(places.size() < 2 ? 0 : std::bit_floor(places.size()))} {
+        : places_{places.first(places.size() < 2 ? 0 : std::bit_floor(places.size()))},
+          shift_{static_cast<unsigned>(std::countl_zero(std::uint64_t{places_.size() - 1}))} {
         clear();
     }
 
@@ -129,10 +130,10 @@ template <class Value> class address_map {
             if (uses_[rank] != 0) patterns_[pattern_count_++] = pattern_of(rank);
     }
 
-    // Multiplying by 2^64 / golden ratio spreads keys that differ in any of the octets over the highest bits.
+    // Multiples of 2^64 / golden ratio spread numbers that follow each other evenly over the highest bits: here those
+    // of neighbouring nodes and subsystems, with which tables are full.
     [[nodiscard]] constexpr std::size_t home(std::uint32_t key) const noexcept {
-        return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15U) >>
-                                        (64 - static_cast<unsigned>(std::bit_width(places_.size() - 1))));
+        return static_cast<std::size_t>((std::rotl(key, 16) * 0x9E3779B97F4A7C15U) >> shift_);
     }
     [[nodiscard]] constexpr std::size_t after(std::size_t at) const noexcept { return (at + 1) & (places_.size() - 1); }
     [[nodiscard]] constexpr std::size_t distance(std::size_t from, std::size_t to) const noexcept {
@@ -146,6 +147,7 @@ template <class Value> class address_map {
     }
 
     std::span<place> places_;
+    unsigned shift_; // leaves the bits that number the places
     std::size_t size_{};
     std::array<std::uint32_t, 16> uses_{};     // entries of each rank
     std::array<std::uint32_t, 16> patterns_{}; // masks of the ranks in use, the most specific first

@@ -32,8 +32,8 @@ namespace jauscat::jaus {
 /// multicast group between subsystems replaces single routes for subsystem 255; one between the nodes of the own
 /// subsystem replaces the routes to them, and all of them must have it. The sender of a broadcast does not get it.
 ///
-/// A message is never changed. One to one node costs two look-ups in an address_map; a broadcast beyond the node
-/// iterates once over all routes.
+/// A message is never changed. One to one node costs at most two look-ups in an address_map; a broadcast beyond the
+/// node iterates once over all routes.
 class router {
   public:
     /// `routes` must outlive this. `primary`: the node that relays within the own subsystem; 0 for none.
@@ -46,19 +46,24 @@ class router {
         const auto& to = head.destination;
         routing all{.outcome = check(head, from)};
         if (!all) return all;
-        table_.next_turn();
         const auto give = [&](const route_entry& where, const address& whole) {
             to_component(where.number, whole);
             ++all.components;
         };
         const auto send = [&](hop which) {
-            if (which == from || !table_.first_time(which)) return;
             to_hop(which);
             ++all.hops;
         };
         const bool to_all_here = table_.is_own_node(to) && (to.component == 255 || to.instance == 255);
-        const bool to_one = to.subsystem != 255 && to.node != 255 && !to_all_here;
-        all.outcome = to_one ? pass_on(head, from, give, send) : spread(head, from, give, send);
+        if (to.subsystem != 255 && to.node != 255 && !to_all_here) {
+            all.outcome = pass_on(head, from, give, send);
+            return all;
+        }
+        table_.next_turn();
+        const auto send_once = [&](hop which) {
+            if (which != from && table_.first_time(which)) send(which);
+        };
+        all.outcome = spread(head, from, give, send_once);
         if (all && all.components + all.hops == 0)
             all.outcome = covers_subsystem(to) ? routed::no_receiver : routed::no_route;
         return all;
@@ -69,7 +74,14 @@ class router {
     [[nodiscard]] JAUSCAT_CONSTEXPR bool of_own_subsystem(const address& a) const noexcept;
     [[nodiscard]] JAUSCAT_CONSTEXPR bool covers_subsystem(const address& to) const noexcept;
 
-    [[nodiscard]] JAUSCAT_CONSTEXPR routed check(const header& head, hop from) const noexcept;
+    [[nodiscard]] constexpr routed check(const header& head, hop from) const noexcept {
+        const auto& [instance, component, node, subsystem] = head.destination;
+        if (instance == 0 || component == 0 || node == 0 || subsystem == 0) return routed::invalid_destination;
+        if (!names_one_component(head.source)) return routed::invalid_source;
+        if (from != here) return check_sender(head, from);
+        return table_.is_own_node(head.source) ? routed::ok : routed::source_is_elsewhere;
+    }
+    [[nodiscard]] JAUSCAT_CONSTEXPR routed check_sender(const header& head, hop from) const noexcept;
 
     // To one subsystem and node, and if that is the own to one component.
     constexpr routed pass_on(const header& head, hop from, auto& give, auto& send) const {
@@ -84,7 +96,7 @@ class router {
         if (found == nullptr) return table_.is_own_node(to) ? routed::no_such_component : routed::no_route;
         const hop by = found->number;
         if (by == from) return routed::would_return;
-        const routed what = may_go(from, table_.kind_of(by), of_own_subsystem(to));
+        const routed what = from == here ? routed::ok : may_go(from, table_.kind_of(by), of_own_subsystem(to));
         if (what == routed::ok) send(by);
         return what;
     }

@@ -16,12 +16,8 @@ JAUSCAT_CONSTEXPR bool router::covers_subsystem(const address& to) const noexcep
     return to.subsystem == 255 || of_own_subsystem(to);
 }
 
-JAUSCAT_CONSTEXPR routed router::check(const header& head, hop from) const noexcept {
-    const auto& [instance, component, node, subsystem] = head.destination;
-    if (instance == 0 || component == 0 || node == 0 || subsystem == 0) return routed::invalid_destination;
-    if (!names_one_component(head.source)) return routed::invalid_source;
+JAUSCAT_CONSTEXPR routed router::check_sender(const header& head, hop from) const noexcept {
     const bool is_own = table_.is_own_node(head.source);
-    if (from == here) return is_own ? routed::ok : routed::source_is_elsewhere;
     const route_entry* const known = is_own ? table_.find(head.source) : nullptr;
     const bool is_here = known != nullptr && known->is_here;
     switch (table_.kind_of(from)) {
@@ -35,7 +31,6 @@ JAUSCAT_CONSTEXPR routed router::check(const header& head, hop from) const noexc
 }
 
 JAUSCAT_CONSTEXPR routed router::may_go(hop from, hop_kind by, bool stays) const noexcept {
-    if (from == here) return routed::ok;
     if (table_.manager()) return routed::not_the_relay;
     if (from_own_node(from) || by == hop_kind::component) return routed::ok;
     if (by == hop_kind::subsystem) return stays ? routed::no_route : routed::ok;
