@@ -39,6 +39,21 @@ template <const auto& Codes> std::size_t count_wrong_places() {
         wrong += wire::code_index<Codes>::find(static_cast<std::uint16_t>(code)) != expected[code];
     return wrong;
 }
+template <const auto& Codes> std::size_t count_wrong_values() {
+    constexpr std::uint32_t none = 0x10000;
+    static constexpr auto values = [] {
+        std::array<std::uint32_t, Codes.size()> made{};
+        std::ranges::copy(Codes, made.begin());
+        return made;
+    }();
+    static constexpr auto by_slot = wire::code_index<Codes>::by_slot(values, none);
+    std::size_t wrong = 0;
+    for (std::uint32_t code = 0; code != 0x10000; ++code) {
+        const auto expected = std::ranges::find(Codes, code) != Codes.end() ? code : none;
+        wrong += by_slot[wire::code_index<Codes>::slot(static_cast<std::uint16_t>(code))] != expected;
+    }
+    return wrong;
+}
 
 } // namespace
 
@@ -89,4 +104,14 @@ TEST_CASE("a code index finds every code at its position and no other code") {
     CHECK(count_wrong_places<every_high_byte_but_one>() == 0);
     CHECK(count_wrong_places<whole_pages>() == 0);
     CHECK(count_wrong_places<more_than_a_byte_counts>() == 0);
+}
+
+TEST_CASE("a table by slots has each code's value, and another in all that no code has") {
+    CHECK(count_wrong_values<translation::ra_command_codes>() == 0);
+    CHECK(count_wrong_values<no_codes>() == 0);
+    CHECK(count_wrong_values<one_code>() == 0);
+    CHECK(count_wrong_values<unsorted_codes>() == 0);
+    CHECK(count_wrong_values<every_high_byte_but_one>() == 0);
+    CHECK(count_wrong_values<whole_pages>() == 0);
+    CHECK(count_wrong_values<more_than_a_byte_counts>() == 0);
 }

@@ -19,22 +19,38 @@ template <const auto& Codes> class code_index {
 
     /// The place of `code` counted from 0, or npos.
     [[nodiscard]] static constexpr std::size_t find(std::uint16_t code) noexcept {
-        if constexpr (Codes.size() <= 8) {
+        if constexpr (searches)
+            return slot(code) - 1;
+        else
+            return std::size_t{places[slot(code)]} - 1u; // 0 becomes npos
+    }
+
+    /// The place of `code` in a table that `by_slot` has made: one step less than `find` and a table in its order.
+    [[nodiscard]] static constexpr std::size_t slot(std::uint16_t code) noexcept {
+        if constexpr (searches) {
             for (std::size_t i = 0; i != Codes.size(); ++i)
-                if (Codes[i] == code) return i;
-            return npos;
+                if (Codes[i] == code) return i + 1;
+            return 0;
         } else {
             const std::size_t all = code, high = all >> 8; // not narrower: each conversion is an instruction
-            if (high >= rows.size()) return npos;
+            if (high >= rows.size()) return 0;
             const row& r = rows[high];
             const std::size_t at = (all & 0xFFu) - r.first;
-            if (at > r.span) return npos;
-            return std::size_t{places[r.start + at]} - 1u; // 0 becomes npos
+            return at > r.span ? 0 : r.start + at;
         }
+    }
+    /// The values of all codes by their slots, and `none` in the slots that no code of the list has.
+    template <class T>
+    [[nodiscard]] static constexpr auto by_slot(const std::array<T, Codes.size()>& values, T none) noexcept {
+        std::array<T, slot_count> made{};
+        made.fill(none);
+        for (std::size_t i = 0; i != Codes.size(); ++i) made[slot(Codes[i])] = values[i];
+        return made;
     }
 
   private:
     static_assert(Codes.size() < 0xFFFF, "code_index: too many codes");
+    static constexpr bool searches = Codes.size() <= 8;
     struct row {
         std::uint16_t start{}; // where the run begins in `places`
         std::uint8_t first{};  // its lowest low byte
@@ -65,14 +81,15 @@ template <const auto& Codes> class code_index {
             }
         return made;
     }();
-    static constexpr std::size_t place_count = [] {
+    static constexpr std::size_t slot_count = [] { // the first is that of all unknown codes
         std::size_t count = 1;
+        if (searches) return Codes.size() + 1;
         for (const row& r : rows) count += r.start != 0 ? r.span + std::size_t{1} : 0;
         return count;
     }();
     using place = std::conditional_t<(Codes.size() < 255), std::uint8_t, std::uint16_t>;
-    static constexpr std::array<place, place_count> places = [] { // the place plus 1; 0 for none
-        std::array<place, place_count> made{};
+    static constexpr std::array<place, slot_count> places = [] { // the place plus 1; 0 for none
+        std::array<place, slot_count> made{};
         for (std::size_t i = 0; i != Codes.size(); ++i) {
             const row& r = rows[Codes[i] >> 8];
             made[r.start + (Codes[i] & 0xFFu) - r.first] = static_cast<place>(i + 1);

@@ -181,18 +181,19 @@ template <class... Handlers> class dispatcher {
   private:
     using table = detail::dispatch_table<Handlers...>;
     using codes = wire::code_index<table::codes>;
+    static constexpr auto steps = codes::template by_slot<typename table::step>(table::steps, nullptr);
 
     constexpr dispatched dispatch(const header& head, std::span<const std::byte> body, wire::arena* memory) {
         if (body.empty() && is_acknowledgement(head)) [[unlikely]] {
             detail::tell<detail::acknowledgement_handler>(handlers_, head);
             return dispatched::acknowledgement;
         }
-        const std::size_t place = codes::find(head.command_code);
-        if (place == codes::npos) {
+        const auto step = steps[codes::slot(head.command_code)];
+        if (step == nullptr) {
             detail::tell<detail::unknown_handler>(handlers_, head, body);
             return dispatched::unknown;
         }
-        if (const wire::errc error = table::steps[place](handlers_, head, body, memory); error != wire::errc::ok) {
+        if (const wire::errc error = step(handlers_, head, body, memory); error != wire::errc::ok) {
             detail::tell<detail::malformed_handler>(handlers_, head, body, error);
             return dispatched::malformed;
         }
