@@ -103,6 +103,16 @@ TEST_CASE("an image or a body that exceeds its buffer is refused") {
     CHECK(command::from_image(full_image, std::span{body}.first(19)).error() == translate::errc::no_space);
 }
 
+TEST_CASE("a body needs no more room than its message") {
+    const auto bytes = bytes_of({.presence_vector = 0x0001, .propulsive_linear_effort_x = 0x1234});
+    std::array<std::byte, 5> body{};
+    body.fill(std::byte{0xA5});
+    CHECK(command::from_image(bytes, std::span{body}.first(3)).error() == translate::errc::no_space);
+    CHECK(body[0] == std::byte{0xA5}); // nothing was written
+    CHECK(std::ranges::equal(*command::from_image(bytes, std::span{body}.first(4)), from_hex("0100 3412")));
+    CHECK(body[4] == std::byte{0xA5});
+}
+
 TEST_CASE("a presence bit of the image without an element is refused") {
     std::array<std::byte, 20> body{};
     CHECK(command::from_image(bytes_of({.presence_vector = 0x1000}), body).error() == translate::errc::reserved_value);

@@ -5,6 +5,9 @@
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/encode.hpp>
 
+#include <algorithm>
+#include <array>
+
 namespace jauscat::translate {
 
 namespace detail {
@@ -94,11 +97,26 @@ template <class Table> struct image_translator {
     }
     JAUSCAT_FLATTEN JAUSCAT_INLINE static constexpr wire::packed_size<errc>
     fill_body(std::span<const std::byte> image, std::span<std::byte> body) noexcept {
+        if constexpr (fits_on_stack)
+            if (body.size() < largest) return fill_short_body(image, body);
         image_message<message_type> message{};
         if (const auto values = read(image, message); !values) return values.error();
         const auto encoded = wire::encode(message, body);
         if (!encoded) return errc_of(encoded.error());
         return encoded->size();
+    }
+    // Apart, so that a message in a body that any has room in is never stored, but goes from image to body in
+    // registers.
+    static constexpr std::size_t largest = wire::max_size<image_message<message_type>>;
+    static constexpr bool fits_on_stack = !wire::fixed_message<image_message<message_type>> && largest <= 1024;
+    [[gnu::noinline]] static constexpr wire::packed_size<errc> fill_short_body(std::span<const std::byte> image,
+                                                                               std::span<std::byte> body) noexcept {
+        std::array<std::byte, largest> whole{};
+        const auto filled = fill_body(image, whole).of(std::span{whole});
+        if (!filled) return filled.error();
+        if (filled->size() > body.size()) return errc::no_space;
+        std::ranges::copy(*filled, body.begin());
+        return filled->size();
     }
     template <bool Merge>
     [[gnu::always_inline]] static constexpr errc fill(std::span<const std::byte> body,
