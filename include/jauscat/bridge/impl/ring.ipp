@@ -135,8 +135,8 @@ JAUSCAT_FUNCTION std::optional<time_point> ring::next_event() const {
         if (each.at != phase::up) {
             if (master_.idle() && !is_carried(each)) consider(next_work_of(each));
         } else if (!master_.serves(each.front->station())) {
-            if (const auto from = lane_from(each)) {
-                if (const auto next_work = next_work_of(each)) consider(std::max(*next_work, *from));
+            if (const auto next_work = next_work_of(each)) {
+                if (const auto from = lane_from(each)) consider(std::max(*next_work, *from));
             }
         }
     }
@@ -716,6 +716,7 @@ JAUSCAT_FUNCTION bool ring::begin_stop(place& at, time_point now) {
 
 JAUSCAT_FUNCTION bool ring::begin_other(place& at, time_point now) {
     if (at.at != phase::up || master_.serves(at.front->station())) return false;
+    if (const auto due = next_work_of(at); !due || *due > now) return false; // most of the time, for most slaves
     auto* const lane = free_lane(at, now);
     if (lane == nullptr) return false;
     if (at.has_reply) return begin_message(*lane, {.front = at.front, .what = purpose::emergencies}, 0);
@@ -857,9 +858,8 @@ JAUSCAT_FUNCTION const ring::place* ring::hindered(time_point now) const {
                !stops_by_process_data(*unit, *what);
     };
     const auto found = std::ranges::find_if(places(), [&](const place& each) {
-        return each.front->up() && !is_carried(each) &&
-               (master_.serves(each.front->station()) || free_lane(each, now) == nullptr) &&
-               std::ranges::any_of(each.front->components(), waits);
+        return each.front->up() && std::ranges::any_of(each.front->components(), waits) && !is_carried(each) &&
+               (master_.serves(each.front->station()) || free_lane(each, now) == nullptr);
     });
     return found == places().end() ? nullptr : &*found;
 }
