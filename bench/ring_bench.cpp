@@ -40,15 +40,16 @@ class bench {
         : count_{values["count"].as<unsigned>()},
           time_{seconds{values["seconds"].as<unsigned>()}},
           busy_poll_{microseconds{values["busy-poll"].as<unsigned>()}},
+          only_orders_{values["orders"].as<bool>()},
           json_{values["json"].as<std::string>()} {
         if (!values["no-pin"].as<bool>() && std::thread::hardware_concurrency() > 1) other_processor_ = 1;
         if (other_processor_ == 1) pin(0);
     }
 
     int run() {
-        bring_ups();
-        cycles();
-        downloads();
+        if (!only_orders_) bring_ups(), cycles();
+        orders();
+        if (!only_orders_) downloads();
         if (json_.empty()) return example::success;
         std::ofstream file{json_};
         file << results_.dump(1) << "\n";
@@ -148,6 +149,48 @@ class bench {
                                      {"inputs", summary(all.back)}});
     }
 
+    /// The processor time of a cycle in both orders, beside a loop by hand, in rounds.
+    void orders() {
+        constexpr std::size_t slaves = 40;
+        constexpr microseconds period{1000};
+        constexpr int rounds = 5;
+        std::printf("| cycle of 40 slaves | CPU | by hand | ratio | lost | by hand |\n"
+                    "| --- | ---: | ---: | ---: | ---: | ---: |\n");
+        for (const auto& [name, order] :
+             {std::pair{"sends first", cycle_order::send_first}, {"receives first", cycle_order::receive_first}}) {
+            begin(std::string{"cycle that "} + name);
+            const slave_process there{chain(slaves)};
+            master_end master{slaves, busy_poll_};
+            measured unused;
+            master.to_pre_op(unused);
+            master.to_safe_op(unused);
+            master_end::cycle_result ours, by_hand;
+            const auto add = [](master_end::cycle_result& to, const master_end::cycle_result& more) {
+                to.cpu += more.cpu;
+                to.cycles += more.cycles;
+                to.lost += more.lost;
+            };
+            for (int i = 0; i != rounds; ++i) {
+                add(ours, master.cycle(period, false, time_ / rounds, order));
+                add(by_hand, master.cycle_by_hand(period, time_ / rounds, order));
+            }
+            const auto each = [](const master_end::cycle_result& of) {
+                return us(of.cpu) / static_cast<double>(std::max<std::uint64_t>(of.cycles, 1));
+            };
+            std::printf("| %s | %.1f | %.1f | %.2f | %llu of %llu | %llu of %llu |\n", name, each(ours), each(by_hand),
+                        each(ours) / each(by_hand), static_cast<unsigned long long>(ours.lost),
+                        static_cast<unsigned long long>(ours.cycles), static_cast<unsigned long long>(by_hand.lost),
+                        static_cast<unsigned long long>(by_hand.cycles));
+            results_["orders"].push_back({{"order", name},
+                                          {"slaves", slaves},
+                                          {"cpu_us", each(ours)},
+                                          {"by_hand_us", each(by_hand)},
+                                          {"lost", ours.lost},
+                                          {"lost_by_hand", by_hand.lost}});
+        }
+        std::printf("\n");
+    }
+
     void downloads() {
         std::printf(
             "| downloads to six slaves | slaves answer | times | frames | bytes | median us | 99 %% us | CPU us |\n"
@@ -183,6 +226,7 @@ class bench {
     unsigned count_;
     nanoseconds time_;
     nanoseconds busy_poll_;
+    bool only_orders_;
     std::string json_;
     int other_processor_ = -1;
     json results_ = json::object();
@@ -200,6 +244,7 @@ int main(int argc, char** argv) {
             ("seconds", po::value<unsigned>()->default_value(10), "how long each cycle is measured")
             ("busy-poll", po::value<unsigned>()->default_value(50), "microseconds that both links poll before they sleep")
             ("no-pin", po::bool_switch(), "leave it to the system which processor runs master and slaves, instead of one each")
+            ("orders", po::bool_switch(), "compares the two orders of a cycle with a loop by hand, and nothing else")
             ("json", po::value<std::string>()->default_value(""), "file for all results and their histograms");
         // clang-format on
         return bench{example::parse(argc, argv, options, help)}.run();

@@ -18,6 +18,7 @@
 #include <set>
 #include <sstream>
 #include <sys/mman.h>
+#include <time.h>
 
 namespace {
 
@@ -47,7 +48,7 @@ struct measurement {
 
     void add(const jauscat::net::cycle_report& cycle) {
         late.add(cycle.late);
-        if (cycle.back) round_trip.add(cycle.round_trip);
+        if (cycle.round_trip != jauscat::duration{}) round_trip.add(cycle.round_trip);
     }
     void add(const ethercat::clock_cycle& clocks) {
         if (!clocks.is_complete()) return;
@@ -109,6 +110,13 @@ class stoppable_link {
 template <class T> void require(const ethercat::master_result<T>& result, const std::string& what) {
     if (!result && example::stop_requested) throw std::runtime_error{"stopped before all slaves were in OP"};
     example::require(result, what);
+}
+
+/// That of this thread.
+std::chrono::nanoseconds processor_time() {
+    timespec time{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return seconds{time.tv_sec} + std::chrono::nanoseconds{time.tv_nsec};
 }
 
 /// The clocks of all slaves of the ring.
@@ -219,8 +227,11 @@ class slave_watch {
     slave_watch(const ethercat::master& master, const ethercat::process_data& data, std::chrono::nanoseconds patience)
         : master_{master}, data_{data}, patience_{patience} {}
 
+    /// Ten times in the patience.
     void look() {
         const auto now = jauscat::net::now();
+        if (now < next_look_) return;
+        next_look_ = now + patience_ / 10;
         for (const auto& slave : master_.slaves()) {
             const auto& status = data_.status(slave);
             // One that has just reached OP has yet to be seen there.
@@ -269,6 +280,7 @@ class slave_watch {
     const ethercat::process_data& data_;
     std::chrono::nanoseconds patience_;
     jauscat::time_point begun_ = jauscat::net::now();
+    jauscat::time_point next_look_ = begun_;
     std::set<std::uint16_t> stopped_{};
 };
 
@@ -342,17 +354,24 @@ int measure(jauscat::net::any_link& link, const auto& values) {
     const auto stations =
         set_up(link, master, values["station"].template as<std::uint16_t>(),
                milliseconds{values["watchdog"].template as<unsigned>()}, has_clocks ? &clock_records : nullptr, period);
+    const bool watches = !values["unwatched"].template as<bool>();
     // [memory]
     std::vector<ethercat::process_slot> slots(stations.size());
     std::vector<std::byte> bytes(ethercat::process_image::of(master.slaves()).size);
     ethercat::process_data data{slots, bytes};
-    data.set_slaves(master.slaves(), {.watch_slaves = true});
+    data.set_slaves(master.slaves(), {.watch_slaves = watches});
     // [memory end]
     if (bytes.empty()) throw std::runtime_error{"no slave has process data"};
     if (!data.fits()) throw std::runtime_error{"process data and states of a slave do not fit into one frame"};
 
-    jauscat::net::cycle_runner cycles{
-        link, data, master, {.period = period, .spin = microseconds{values["spin"].template as<unsigned>()}}};
+    jauscat::net::cycle_runner cycles{link,
+                                      data,
+                                      master,
+                                      {.period = period,
+                                       .spin = microseconds{values["spin"].template as<unsigned>()},
+                                       .order = values["receive-first"].template as<bool>()
+                                                    ? jauscat::net::cycle_order::receive_first
+                                                    : jauscat::net::cycle_order::send_first}};
     const auto nothing = [](auto&&...) {};
     std::optional<ethercat::clock_cycle> clocks;
     if (has_clocks) {
@@ -380,28 +399,33 @@ int measure(jauscat::net::any_link& link, const auto& values) {
     std::cout << std::flush;
 
     const auto before = data.statistics();
+    const auto processor_before = processor_time();
     const auto overruns_before = cycles.overruns();
     const auto end = std::chrono::steady_clock::now() + seconds{values["seconds"].template as<unsigned>()};
     uploads mailbox{stations, milliseconds{values["upload-every"].template as<unsigned>()}};
     slave_watch slaves{master, data, std::max<std::chrono::nanoseconds>(longest_silence, 3 * period)};
     const auto result = std::make_unique<measurement>();
     while (!example::stop_requested && std::chrono::steady_clock::now() < end) {
-        result->add(cycles.run(nothing));
-        if (clocks) result->add(*clocks);
-        slaves.look();
+        result->add(cycles.run([&] {
+            if (clocks) result->add(*clocks); // of the cycle before, whose frame is back in both orders
+        }));
+        if (watches) slaves.look();
         mailbox.work(master, *result);
     }
 
+    const auto processor = processor_time() - processor_before;
     const auto& after = data.statistics();
+    const auto processor_each = processor / std::max<std::uint64_t>(after.sent - before.sent, 1);
     std::ostringstream text;
     print_distribution(text, wake_up, result->late);
-    print_distribution(text, round_trip, result->round_trip);
+    if (result->round_trip.count() != 0) print_distribution(text, round_trip, result->round_trip);
     if (clocks) print_distribution(text, clock_error, result->clock_error);
     print_quantiles(text, *result);
     text << "\ncycles " << after.sent - before.sent << ", complete " << after.complete - before.complete
          << ", with another working counter " << after.incomplete - before.incomplete << ", lost "
-         << after.lost - before.lost << ", left out " << cycles.overruns() - overruns_before << "\nuploads meanwhile "
-         << result->uploads << ", failed " << result->failed_uploads << "\n";
+         << after.lost - before.lost << ", left out " << cycles.overruns() - overruns_before
+         << "\nprocessor time of each cycle " << std::chrono::duration<double, std::micro>{processor_each}.count()
+         << " us\nuploads meanwhile " << result->uploads << ", failed " << result->failed_uploads << "\n";
     if (clocks) text << clocks_line(*clocks);
     const auto in_us = [](auto time) { return std::chrono::duration<double, std::micro>{time}.count(); };
     example::event_members of_clocks;
@@ -416,6 +440,7 @@ int measure(jauscat::net::any_link& link, const auto& values) {
                                                 {"incomplete", after.incomplete - before.incomplete},
                                                 {"lost", after.lost - before.lost},
                                                 {"skipped", cycles.overruns() - overruns_before},
+                                                {"processor_us", in_us(processor_each)},
                                                 {"uploads", result->uploads},
                                                 {"failed_uploads", result->failed_uploads},
                                                 {"late_max_us", in_us(result->late.max())},
@@ -436,6 +461,8 @@ int main(int argc, char** argv) {
         options.add_options()
             ("period", po::value<unsigned>()->default_value(1000), "period in microseconds, 1 to 1000000")
             ("seconds", po::value<unsigned>()->default_value(10), "duration in seconds")
+            ("receive-first", po::bool_switch(), "each cycle receives what the one before has sent, and then sends: less processor time, inputs one period older")
+            ("unwatched", po::bool_switch(), "process data alone: without asking each slave for its state, a datagram for each; what stops shows in the working counter only")
             ("spin", po::value<unsigned>()->default_value(0), "the last microseconds of each wait are spent polling: more exact, and uses processor time")
             ("priority", po::value<unsigned>()->default_value(0), "real-time priority, 1 to 99; 0: none")
             ("upload-every", po::value<unsigned>()->default_value(1000), "milliseconds between two SDO uploads; 0: none")

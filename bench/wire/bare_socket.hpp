@@ -57,6 +57,11 @@ class bare_socket {
 
     void send(std::span<const std::byte> frame) const { ::send(socket_, frame.data(), frame.size(), 0); }
 
+    /// The size of a frame that has arrived; 0 where there is none.
+    std::size_t receive_waiting(std::span<std::byte> buffer) const {
+        return static_cast<std::size_t>(
+            std::max(::recv(socket_, buffer.data(), buffer.size(), MSG_DONTWAIT), ssize_t{0}));
+    }
     /// The size of the frame; 0 after 20 ms without one.
     std::size_t receive(std::span<std::byte> buffer) const {
         using clock = std::chrono::steady_clock;

@@ -1,6 +1,7 @@
 // A master for many slaves on the interface jc0: bring-up and cycles, with the frames that they take.
 #pragma once
 
+#include "bare_socket.hpp"
 #include "report.hpp"
 #include "slave_process.hpp"
 #include <jauscat/ethercat/master/master.hpp>
@@ -9,6 +10,8 @@
 #include <jauscat/net/link/run_master.hpp>
 
 namespace wire_bench {
+
+using jauscat::net::cycle_order;
 
 /// Frames, their bytes, and the time that these take at 100 Mbit/s with preamble, check sequence and gap.
 struct traffic {
@@ -96,9 +99,9 @@ class master_end {
         nanoseconds cpu{}; ///< of this thread
     };
     /// Takes the slaves from SAFE-OP to OP, and exchanges process data.
-    cycle_result cycle(nanoseconds period, bool watched, nanoseconds time) {
+    cycle_result cycle(nanoseconds period, bool watched, nanoseconds time, cycle_order order = {}) {
         auto& data = new_process_data(watched);
-        jauscat::net::cycle_runner<counting_link> cycles{link_, data, master_, {.period = period}};
+        jauscat::net::cycle_runner<counting_link> cycles{link_, data, master_, {.period = period, .order = order}};
         if (const auto up = cycles.run_job(
                 ethercat::change_states{states_, ethercat::al_state::op}, std::chrono::seconds{5}, [] {},
                 [](const auto&) {});
@@ -114,7 +117,7 @@ class master_end {
         for (const auto end = jauscat::net::now() + time; jauscat::net::now() < end;) {
             const auto report = cycles.run([] {});
             all.late.add(report.late);
-            if (report.back) all.back.add(report.late + report.round_trip);
+            if (report.round_trip != nanoseconds{}) all.back.add(report.late + report.round_trip);
         }
         const auto& after = data.statistics();
         all.cpu = cpu_time() - cpu;
@@ -123,6 +126,29 @@ class master_end {
         all.lost = after.lost - before.lost;
         all.incomplete = after.incomplete - before.incomplete;
         all.overruns = cycles.overruns() - overruns;
+        return all;
+    }
+
+    /// The same with the last cycle's frame, by hand: a prepared frame, a packet socket and a clock. Slaves are in OP.
+    cycle_result cycle_by_hand(nanoseconds period, nanoseconds time, cycle_order order) {
+        std::array<std::byte, ethercat::max_frame_size> frame{}, back{};
+        data_->begin_cycle();
+        const auto bytes = std::span{frame}.first(data_->next_frame(frame, jauscat::net::now()));
+        const bool receives_first = order == cycle_order::receive_first;
+        const bare_socket socket{"jc0", {.filter = true}};
+        cycle_result all;
+        timespec due{};
+        ::clock_gettime(CLOCK_MONOTONIC, &due);
+        const auto cpu = cpu_time();
+        for (const auto end = jauscat::net::now() + time; jauscat::net::now() < end; ++all.cycles) {
+            due.tv_nsec += static_cast<long>(period.count());
+            if (due.tv_nsec >= 1'000'000'000) due = {due.tv_sec + 1, due.tv_nsec - 1'000'000'000};
+            ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr);
+            if (receives_first && all.cycles != 0 && socket.receive_waiting(back) == 0) ++all.lost;
+            socket.send(bytes);
+            if (!receives_first && socket.receive(back) == 0) ++all.lost;
+        }
+        all.cpu = cpu_time() - cpu;
         return all;
     }
 

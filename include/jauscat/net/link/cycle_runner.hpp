@@ -17,11 +17,21 @@
 
 namespace jauscat::net {
 
+/// What a cycle does first.
+enum class cycle_order : std::uint8_t {
+    /// Sends, and waits for the return: inputs are as new as they can be, and the thread wakes up twice in a cycle.
+    send_first,
+    /// Receives what the cycle before has sent, and then sends: the thread wakes up once, which takes less processor
+    /// time; inputs are one period old when the outputs that follow from them go.
+    receive_first,
+};
+
 struct cycle_report {
-    duration late{};       ///< start of the cycle after its due time
-    duration round_trip{}; ///< from sending the process data to the return of the last frame; only if `back`
-    bool sent{};           ///< the link accepted every frame
-    bool back{};           ///< every frame returned before the next cycle was due
+    duration late{}; ///< start of the cycle after its due time
+    /// From sending the process data to the return of the last frame; only if `back`, and in the order `send_first`.
+    duration round_trip{};
+    bool sent{}; ///< the link accepted every frame
+    bool back{}; ///< every frame returned before the next cycle was due; in the order `receive_first` of the one before
 };
 
 /// Period and timing of the cycles.
@@ -35,6 +45,7 @@ struct cycle_config {
     /// After this part of a cycle, 1 / `loss_fraction` of it, the master no longer waits for process data that have not
     /// returned: they are probably lost.
     unsigned loss_fraction{2};
+    cycle_order order{};
 };
 
 /// Between cycles the master is free for a new job. `Link` models ethercat::link.
@@ -53,41 +64,38 @@ template <class Link> class cycle_runner {
 
     /// Waits for the next cycle, calls `prepare()`, which writes the outputs, and sends them at once. Then receives
     /// frames until the process data have returned and the master is idle, at most until the end of the cycle. The
-    /// master sends when no process data are outstanding, or when they count as lost.
+    /// master sends when no process data are outstanding, or when they count as lost. In the order `receive_first` it
+    /// receives before it calls `prepare()`, and returns when the process data are sent and the master is idle.
     template <class Prepare> cycle_report run(Prepare&& prepare) {
         cycle_report report{.late = timer_.wait()};
         const auto start = timer_.due(), end = start + config_.period;
         const auto masters_turn = start + config_.period / std::max(config_.loss_fraction, 1u);
+        const bool receives_first = config_.order == cycle_order::receive_first;
+        if (receives_first) {
+            receive_waiting();
+            end_cycle(report);
+        }
         prepare();
-        const auto begun = now();
+        begun_ = now();
+        is_back_ = false;
         send_clocks();
-        report.sent = send_process_data();
-        const auto settle = [&] {
-            if (!waits(report) || data_.waits()) return;
-            report.back = true;
-            report.round_trip = now() - begun;
-        };
+        is_sent_ = report.sent = send_process_data();
         settle();
         // A thread that was preempted until the end of the cycle still processes received frames, up to a limit.
         // Process data count as lost only if no frame has arrived by the master's turn: a link may hold one at a time.
         bool none_arrived = false;
-        const auto outstanding = [&] { return waits(report) || (clocks_ != nullptr && clocks_->waits()); };
-        for (unsigned late_frames = 0; outstanding() || !master_.idle();) {
+        for (unsigned late_frames = 0; (!receives_first && is_outstanding()) || !master_.idle();) {
             const auto at = now();
             const bool over = at >= end;
-            if (over && (!outstanding() || ++late_frames == max_late_frames)) break;
-            const bool works = !outstanding() || (none_arrived && !over);
+            if (over && (receives_first || !is_outstanding() || ++late_frames == max_late_frames)) break;
+            const bool works = !is_outstanding() || (none_arrived && !over);
             const auto wake = std::min(end, works ? work(at, end) : masters_turn);
-            const auto received = link_.receive(received_, std::max(wake - now(), duration{}));
-            if (received == 0) {
+            if (!receive(std::max(wake - now(), duration{}))) {
                 none_arrived = at >= masters_turn;
                 if (over) break;
-                continue;
             }
-            take(std::span{received_}.first(received));
-            settle();
         }
-        if (clocks_ != nullptr) timer_.shift(clocks_->end_cycle());
+        if (!receives_first) end_cycle(report);
         return report;
     }
 
@@ -117,8 +125,32 @@ template <class Link> class cycle_runner {
   private:
     static constexpr unsigned max_late_frames = 16;
 
-    // Process data are outstanding.
-    static bool waits(const cycle_report& report) noexcept { return report.sent && !report.back; }
+    // Frames are outstanding.
+    [[nodiscard]] bool is_outstanding() const noexcept {
+        return (is_sent_ && !is_back_) || (clocks_ != nullptr && clocks_->waits());
+    }
+    void settle() {
+        if (!is_sent_ || is_back_ || data_.waits()) return;
+        is_back_ = true;
+        round_trip_ = now() - begun_;
+    }
+    bool receive(duration timeout) {
+        const auto size = link_.receive(received_, timeout);
+        if (size == 0) return false;
+        take(std::span{received_}.first(size));
+        settle();
+        return true;
+    }
+    // What the cycle before has sent; others may be among it.
+    void receive_waiting() {
+        for (unsigned others = 0; is_outstanding() && others != max_late_frames; ++others)
+            if (!receive(duration{})) return;
+    }
+    void end_cycle(cycle_report& report) {
+        report.back = is_back_;
+        if (is_back_ && config_.order == cycle_order::send_first) report.round_trip = round_trip_;
+        if (clocks_ != nullptr) timer_.shift(clocks_->end_cycle());
+    }
 
     // All frames of a cycle, back to back. A link that holds one frame at a time accepts the next one when that has
     // been received. Whether all were accepted.
@@ -167,6 +199,9 @@ template <class Link> class cycle_runner {
     ethercat::clock_cycle* clocks_{};
     cycle_config config_;
     cycle_timer timer_;
+    time_point begun_{}; // the process data of this cycle, or the one before, were sent
+    duration round_trip_{};
+    bool is_sent_{}, is_back_{};
     std::array<std::byte, ethercat::max_frame_size> frame_{}; // to be sent
     std::array<std::byte, ethercat::max_frame_size> received_{};
 };
