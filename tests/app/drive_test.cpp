@@ -101,7 +101,7 @@ TEST_CASE("drives move to positions in units of the application") {
     CHECK(left.feedback().is_limited);
     CHECK(std::abs(left.feedback().position - 3) < 0.01);
     CHECK_FALSE(b.outcome([&](auto done) { left.async_disable(done); }));
-    CHECK(left.feedback().state == axis_state::disabled);
+    REQUIRE(b.until([&] { return left.feedback().state == axis_state::disabled; }));
     CHECK(right.feedback().state == axis_state::enabled);
     CHECK(b.outcome([&](auto done) { left.async_move_to(0, done); }) == cia402::axis_errc::not_enabled);
 }
