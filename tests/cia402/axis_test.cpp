@@ -199,6 +199,23 @@ TEST_CASE("disable brings the axis to rest by ramp before it takes the torque aw
     CHECK(r.mine.run_at(1).error() == axis_errc::not_enabled);
 }
 
+TEST_CASE("disable does not enable the drive again while its status is late") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    r.mine.disable();
+    r.drive.stuck = true; // its status comes some cycles later
+    r.cycle();
+    CHECK(r.mine.targets().controlword == 0x07);
+    r.drive.feedback.velocity = 20; // settles
+    for (int i = 0; i != 3; ++i) {
+        r.cycle();
+        CHECK(r.mine.targets().controlword == 0x07);
+    }
+    r.drive.stuck = false;
+    r.cycle(3);
+    CHECK(r.mine.state() == axis_state::disabled);
+}
+
 TEST_CASE("a ramp that does not bring the axis to rest in time ends in a quick stop") {
     rig r{slow};
     REQUIRE(r.enable(mode::cyclic_synchronous_velocity));

@@ -2,6 +2,8 @@
 #include "support/catch.hpp"
 #include <jauscat/ethercat/cia402/emulated_drive.hpp>
 
+#include <cstdint>
+#include <deque>
 #include <random>
 
 using namespace jauscat;
@@ -17,12 +19,13 @@ constexpr axis_options options{.min_position = -50'000,
                                .deceleration = 300'000,
                                .max_torque = 200};
 
+constexpr bool enables(std::uint16_t controlword) { return (controlword & 0x8F) == 0x0F; }
+
 void check(axis& a) {
     const auto& t = a.targets();
     REQUIRE(std::abs(t.velocity) <= 100'000); // as fast as it moves, after a change of the mode
     REQUIRE(std::abs(int{t.torque}) <= options.max_torque);
-    const bool enables = (t.controlword & 0x8F) == 0x0F;
-    if (a.drive_state() != state::operation_enabled || !enables) {
+    if (a.drive_state() != state::operation_enabled || !enables(t.controlword)) {
         REQUIRE(t.torque == 0);
         if (a.drive_state() != state::operation_enabled) REQUIRE(t.velocity == 0);
     }
@@ -42,6 +45,8 @@ TEST_CASE("whatever a drive says, an axis has no target without torque, and come
         std::array<std::byte, 16> inputs{};
         time_point now{};
         bool has_op = true;
+        std::deque<axis_feedback> late(pick(4)); // its status comes some cycles later
+        std::uint16_t last_word{};
         for (int i = 0; i != 5000; ++i) {
             switch (pick(200)) {
             case 0:
@@ -74,12 +79,18 @@ TEST_CASE("whatever a drive says, an axis has no target without torque, and come
             drive.give(inputs);
             auto feedback = places.load(inputs);
             if (pick(500) == 0) feedback.statusword = static_cast<std::uint16_t>(random());
+            late.push_back(feedback);
+            feedback = late.front();
+            late.pop_front();
             if (has_op)
                 mine.on_cycle(feedback, now);
             else
                 mine.on_lost();
             places.store(mine.targets(), outputs);
             check(mine);
+            const bool is_wanted = mine.state() == axis_state::enabling || mine.state() == axis_state::enabled;
+            if (!is_wanted && !enables(last_word)) REQUIRE_FALSE(enables(mine.targets().controlword));
+            last_word = mine.targets().controlword;
         }
         // A drive that obeys brings an axis that has failed, or is told to, to rest.
         drive.axes[0].disturbed = {};

@@ -363,11 +363,14 @@ JAUSCAT_CONSTEXPR std::uint16_t axis::control_towards_off(time_point now, bool i
         if (now - goal_since_ >= options_.step_time) fail(axis_errc::step_timeout);
         return control_of(now - since_ < options_.step_time ? command::quick_stop : command::disable_voltage);
     }
+    // The status follows some cycles later. A command that ends the ramp is not taken back until it does.
+    const auto last = command_of(targets_.controlword, 0);
     switch (*seen_) {
     case ds::operation_enabled:
         if (now - goal_since_ >= saturating_add(options_.rest_time, options_.step_time)) fail(axis_errc::step_timeout);
-        if (is_resting()) return control_of(command::switch_on); // disable operation
-        return control_of(has_ramp_time(now) ? command::enable_operation : command::quick_stop);
+        if (is_resting() || last == command::switch_on) return control_of(command::switch_on); // disable operation
+        if (last == command::enable_operation && has_ramp_time(now)) return control_of(command::enable_operation);
+        return control_of(command::quick_stop);
     case ds::switched_on: break;
     case ds::quick_stop_active:
         if (now - goal_since_ >= saturating_add(options_.rest_time, options_.step_time) && !is_at_standstill())
