@@ -359,7 +359,7 @@ int measure(jauscat::net::any_link& link, const auto& values) {
     std::vector<ethercat::process_slot> slots(stations.size());
     std::vector<std::byte> bytes(ethercat::process_image::of(master.slaves()).size);
     ethercat::process_data data{slots, bytes};
-    data.set_slaves(master.slaves(), {.watch_slaves = watches});
+    data.set_slaves(master.slaves(), {.watch_slaves = watches, .watch_together = watches});
     // [memory end]
     if (bytes.empty()) throw std::runtime_error{"no slave has process data"};
     if (!data.fits()) throw std::runtime_error{"process data and states of a slave do not fit into one frame"};

@@ -37,8 +37,14 @@ struct bus {
     }
 };
 
+/// The states of all slaves of the ring, or-ed, and their number beyond those of the bus.
+struct ring_answer {
+    std::byte all{8};
+    unsigned others{};
+};
+
 /// What the slaves do: the inputs are replaced by `value`, the counters count, all are in OP.
-void pass(const bus& b, bytes& frame, std::byte value, std::uint32_t base = 0) {
+void pass(const bus& b, bytes& frame, std::byte value, std::uint32_t base = 0, const ring_answer& ring = {}) {
     mutable_frame_view view;
     REQUIRE(view.parse(frame));
     for (const auto datagram : view) {
@@ -48,9 +54,13 @@ void pass(const bus& b, bytes& frame, std::byte value, std::uint32_t base = 0) {
             counter = 1;
             if (datagram.header.ado == esc_registers::al_status.address) datagram.data[0] = std::byte{8};
         }
+        if (cmd == command::brd) {
+            counter = static_cast<unsigned>(b.slaves.size()) + ring.others;
+            datagram.data[0] = ring.all;
+        }
         const auto start = (std::uint32_t{datagram.header.ado} << 16 | datagram.header.adp) - base;
         for (const auto& slave : b.slaves) {
-            if (cmd == command::fprd || cmd == command::nop) break;
+            if (cmd == command::fprd || cmd == command::brd || cmd == command::nop) break;
             const auto& place = slave.process_data;
             if (place.size() == 0) continue;
             const bool is_inside = place.output_address >= start && place.end() <= start + datagram.header.length;
@@ -187,6 +197,155 @@ TEST_CASE("slaves that stay keep outputs, inputs and status, and those that come
         CHECK((c.data.status(b.slaves[i]).condition == slave_condition::running) == stayed);
     }
     CHECK(c.data.statistics().sent == 1);
+}
+
+TEST_CASE("slaves that all run are asked together, and each again once one does not") {
+    bus b;
+    for (int i = 0; i != 40; ++i) b.add(8, 8, false, i != 7);
+    b.add(0, 0); // without process data
+    cyclic_data c{b, {.watch_slaves = true, .watch_together = true}};
+    jauscat::time_point now = instant{10ms};
+    const auto cycle = [&](std::byte value, const ring_answer& ring = {}) {
+        now += 1ms;
+        auto frames = c.cycle(now);
+        for (auto& frame : frames) {
+            pass(b, frame, value, 0, ring);
+            REQUIRE(c.data.on_frame(frame));
+        }
+        return frames;
+    };
+    const auto all_are_new = [&](std::byte value) {
+        return std::ranges::all_of(b.slaves, [&](const slave_record& slave) {
+            const auto& status = c.data.status(slave);
+            return status.condition == slave_condition::running && status.last_frame == now &&
+                   status.last_running == now && status.last_inputs == now && has(c.data.inputs(slave), value);
+        });
+    };
+    const auto until_together = [&] {
+        for (int i = 0; i != 10; ++i) {
+            CHECK(cycle(std::byte{1}).size() == 2);
+            CHECK(all_are_new(std::byte{1}));
+        }
+        CHECK(cycle(std::byte{2}).size() == 1);
+        CHECK(all_are_new(std::byte{2}));
+    };
+    until_together();
+    CHECK(c.data.ring().slaves == 41);
+
+    std::vector<unsigned> asked(b.slaves.size() + 1);
+    for (int i = 0; i != 41; ++i) // eight of them each
+        for (auto& frame : cycle(std::byte{3})) {
+            frame_view view;
+            REQUIRE(view.parse(frame));
+            for (const auto datagram : view)
+                if (datagram.header.cmd == command::fprd && datagram.header.ado == esc_registers::al_status.address)
+                    ++asked[datagram.header.adp];
+        }
+    for (const auto& slave : b.slaves) CHECK(asked[slave.station] == 8);
+
+    const auto each_again = [&] {
+        // What they were is not known in this cycle, and their inputs are those of the one before.
+        for (const auto& slave : b.slaves) {
+            if (slave.process_data.size() != 0) CHECK(c.data.status(slave).last_frame == now - 1ms);
+            CHECK(has(c.data.inputs(slave), std::byte{3}));
+        }
+        until_together();
+        cycle(std::byte{3});
+    };
+    cycle(std::byte{3});
+    SECTION("one leaves OP") {
+        cycle(std::byte{4}, {.all = std::byte{0x0C}});
+        each_again();
+    }
+    SECTION("one has an error") {
+        cycle(std::byte{4}, {.all = std::byte{0x18}});
+        each_again();
+    }
+    SECTION("one comes") {
+        cycle(std::byte{4}, {.others = 1});
+        each_again();
+    }
+    SECTION("one does not exchange its data") {
+        now += 1ms;
+        auto frames = c.cycle(now);
+        REQUIRE(frames.size() == 1);
+        pass(b, frames[0], std::byte{4});
+        frames[0][16 + 10 + 40 * 16] = std::byte{117}; // of 120
+        REQUIRE(c.data.on_frame(frames[0]));
+        each_again();
+    }
+    SECTION("one that is asked alone does not answer") {
+        now += 1ms;
+        auto frames = c.cycle(now);
+        pass(b, frames[0], std::byte{3});
+        frames[0][frames[0].size() - 2] = std::byte{}; // the last datagram's counter: its mailbox
+        REQUIRE(c.data.on_frame(frames[0]));
+        CHECK(all_are_new(std::byte{3}));
+        CHECK(cycle(std::byte{3}).size() == 1);
+    }
+    SECTION("the AL status of one that is asked alone is no state") {
+        now += 1ms;
+        auto frames = c.cycle(now);
+        pass(b, frames[0], std::byte{4});
+        frames[0][frames[0].size() - process_plan::watch_size(true) + 10] = std::byte{};
+        REQUIRE(c.data.on_frame(frames[0]));
+        each_again();
+    }
+    SECTION("a frame is lost") {
+        now += 1ms;
+        CHECK(c.cycle(now).size() == 1);
+        each_again();
+    }
+}
+
+TEST_CASE("slaves that are asked together may be in several frames, in any order") {
+    bus b;
+    for (int i = 0; i != 200; ++i) b.add(8, 8, false, true);
+    cyclic_data c{b, {.watch_slaves = true, .watch_together = true}};
+    jauscat::time_point now = instant{10ms};
+    const auto cycle = [&](std::byte value, bool in_order = true) {
+        now += 1ms;
+        auto frames = c.cycle(now);
+        for (auto& frame : frames) {
+            pass(b, frame, value);
+            mutable_frame_view view;
+            REQUIRE(view.parse(frame));
+            for (auto datagram : view) // mail waits at all that are asked
+                if (datagram.header.ado == sync_manager_handshake_of(1).address)
+                    datagram.data[0] = std::byte{8}, datagram.data[1] = std::byte{1};
+        }
+        if (!in_order) std::ranges::reverse(frames);
+        for (auto& frame : frames) REQUIRE(c.data.on_frame(frame));
+        return frames.size();
+    };
+    const auto waiting = [&] {
+        return std::ranges::count_if(b.slaves, [&](const auto& slave) { return c.data.status(slave).reply_waiting; });
+    };
+    for (int i = 0; i != 10; ++i) {
+        CHECK(cycle(std::byte{1}) == 9);
+        CHECK(waiting() == 200);
+    }
+    for (int i = 0; i != 30; ++i) {
+        CHECK(cycle(std::byte{2}) == 3);
+        CHECK(waiting() == 8); // of the last frame, too
+    }
+    for (const auto& slave : b.slaves) CHECK(has(c.data.inputs(slave), std::byte{2}));
+    CHECK(cycle(std::byte{3}, false) == 3); // that the others run is not known when they come
+    CHECK(has(c.data.inputs(b.slaves.back()), std::byte{2}));
+    CHECK(cycle(std::byte{3}, false) == 9);
+    CHECK(has(c.data.inputs(b.slaves.back()), std::byte{3}));
+}
+
+TEST_CASE("slaves of a ring with others that do not run are never asked together") {
+    bus b;
+    for (int i = 0; i != 3; ++i) b.add(4, 4);
+    cyclic_data c{b, {.watch_slaves = true, .watch_together = true}};
+    for (int i = 0; i != 30; ++i)
+        for (auto& frame : c.cycle(instant{10ms})) {
+            CHECK(frame.size() == 16 + 3 * (20 + 18 + 15) + 18);
+            pass(b, frame, std::byte{1}, 0, {.all = std::byte{0x0A}, .others = 1});
+            REQUIRE(c.data.on_frame(frame));
+        }
 }
 
 TEST_CASE("process data of a slave that are larger than a frame are refused") {

@@ -950,7 +950,8 @@ JAUSCAT_FUNCTION void ring::rebuild_process_data(time_point now) {
         const auto* const record = master_.find(each.front->station());
         if (is_exchanged(each) && record != nullptr) records_[count++] = *record;
     }
-    data_.set_slaves(records_.first(count), {.watch_slaves = true, .logical_base = logical_base_});
+    data_.set_slaves(records_.first(count),
+                     {.watch_slaves = true, .watch_together = true, .logical_base = logical_base_});
     // The outputs are those of the cycle that is due next: it keeps its time, also where the next ones are shorter.
     const bool had_process_data = std::exchange(has_process_data_, data_.image().size != 0);
     if (!cycles()) cycle_begun_.reset();

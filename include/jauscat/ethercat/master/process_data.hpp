@@ -40,6 +40,11 @@ struct process_options {
     /// One datagram of each cycle counts the slaves of the ring and reads the states of all, or-ed: see `ring`. It
     /// tells that a slave has come or gone (`locate_slaves` finds out which), and takes 18 bytes.
     bool watch_ring{};
+    /// With `watch_slaves`, while every slave of the ring runs: one datagram asks all of them together, as with
+    /// `watch_ring`, up to 8 are asked alone, in turn, and process data share datagrams. So a cycle with 40 slaves has
+    /// one frame instead of three. After a cycle in which a slave did not take part each is asked again; the inputs of
+    /// the others are a cycle old then.
+    bool watch_together{};
     /// That of the master which has configured the slaves.
     std::uint32_t logical_base{};
 };
@@ -133,6 +138,31 @@ class process_data {
     // In the first frame of a cycle.
     [[nodiscard]] JAUSCAT_FUNCTION bool has_ring(const process_frame& frame) const noexcept;
 
+    // Each slave has datagrams of its own.
+    [[nodiscard]] bool asks_each() const noexcept { return options_.watch_slaves && !is_together_; }
+    [[nodiscard]] std::size_t look_count() const noexcept { return std::min(most_looks, plan_.member_count()); }
+    // The slaves that are asked alone in this cycle, in turn, while all are asked together. Returns where the next
+    // cycle goes on.
+    template <class Look> std::size_t for_each_look(Look&& look) const noexcept {
+        const auto count = plan_.member_count();
+        std::size_t at = next_look_;
+        for (std::size_t i = 0; is_together_ && i != look_count(); ++i) {
+            look(plan_.member(at));
+            at = at + 1 == count ? 0 : at + 1;
+        }
+        return at;
+    }
+    // Whether all are asked together from now on.
+    JAUSCAT_FUNCTION void choose_watch() noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION bool all_run() const noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION bool cut() noexcept;
+    JAUSCAT_FUNCTION void take_ring(const process_frame& frame, const datagram_view& all) noexcept;
+    JAUSCAT_FUNCTION void take_together(const process_frame& frame, frame_view::iterator next) noexcept;
+    JAUSCAT_FUNCTION static void set_running(process_member& each, time_point sent_at) noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION static bool is_running(const al_status& al) noexcept;
+    // Takes the answers of a slave that is asked alone. Returns how many slaves have answered for its state.
+    JAUSCAT_FUNCTION static std::uint16_t ask(process_member& each, frame_view::iterator& next) noexcept;
+
     // Calls `visit` for each datagram of a frame, in order, until it returns false. Returns whether it never did.
     template <class Visit> bool walk(const process_frame& frame, Visit&& visit) const noexcept {
         constexpr planned filler{.cmd = command::nop, .length = process_plan::filler_size};
@@ -153,20 +183,25 @@ class process_data {
             }
             if (!visit(datagram)) return false;
         }
-        for (std::size_t i = 0; options_.watch_slaves && i != frame.members; ++i) {
-            const auto& member = plan_.member(frame.first_member + i);
+        const auto ask = [&](const process_member& member) {
             const auto read = [&](const auto& at) {
                 return visit(planned{.cmd = command::fprd,
                                      .adp = member.station,
                                      .ado = at.address,
                                      .length = wire::max_size<typename std::decay_t<decltype(at)>::value_type>});
             };
-            if (!read(esc_registers::al_status)) return false;
-            if (member.has_mailbox && !read(sync_manager_handshake_of(1))) return false;
+            return read(esc_registers::al_status) && (!member.has_mailbox || read(sync_manager_handshake_of(1)));
+        };
+        for (std::size_t i = 0; asks_each() && i != frame.members; ++i)
+            if (!ask(plan_.member(frame.first_member + i))) return false;
+        if (has_ring(frame)) {
+            constexpr planned ring{
+                .cmd = command::brd, .ado = esc_registers::al_status.address, .length = wire::max_size<al_status>};
+            if (!visit(ring)) return false;
+            bool is_whole = true;
+            for_each_look([&](const process_member& member) { is_whole = is_whole && ask(member); });
+            if (!is_whole) return false;
         }
-        constexpr planned ring{
-            .cmd = command::brd, .ado = esc_registers::al_status.address, .length = wire::max_size<al_status>};
-        if (has_ring(frame) && !visit(ring)) return false;
         return !has_filler(frame) || visit(filler);
     }
 
@@ -192,12 +227,20 @@ class process_data {
 
     static constexpr std::size_t ring_size = datagram_overhead + wire::max_size<al_status>;
     static constexpr std::chrono::nanoseconds longest_delay = std::chrono::seconds{10};
+    static constexpr unsigned cycles_alone = 10; // in which each slave runs, before they are asked together
+    static constexpr std::size_t most_looks = 8;
 
     process_plan plan_;
     std::span<std::byte> bytes_;
     process_image image_{};
     process_options options_{};
     ring_status ring_{};
+    bool is_together_{};
+    bool is_ring_running_{}; // in this cycle, asked together
+    bool is_each_certain_{}; // no frame of it came before the one that says so
+    unsigned good_cycles_{};
+    std::uint16_t ring_slaves_{}; // with which they were asked together first
+    std::size_t next_look_{};     // the member that is asked alone next
     bool fits_{true};
     std::uint16_t cycle_{};
     std::size_t next_{};        // frame to be sent

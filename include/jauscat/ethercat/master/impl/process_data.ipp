@@ -37,9 +37,37 @@ JAUSCAT_FUNCTION bool process_data::set_slaves(std::span<const slave_record> sla
         plan_.add(slave);
         clear(slave.process_data);
     }
-    if (fits_) fits_ = plan_.cut(options_.watch_slaves, options_.watch_ring ? ring_size : 0);
+    is_together_ = false;
+    good_cycles_ = 0;
+    next_look_ = 0;
+    if (fits_) fits_ = cut();
     next_ = plan_.frame_count();
     return fits_;
+}
+
+JAUSCAT_FUNCTION bool process_data::cut() noexcept {
+    auto reserved = options_.watch_ring || options_.watch_together ? ring_size : 0;
+    if (is_together_) reserved += look_count() * process_plan::watch_size(true);
+    return plan_.cut(asks_each(), reserved);
+}
+
+JAUSCAT_FUNCTION void process_data::choose_watch() noexcept {
+    const bool is_good = is_complete_ && all_run();
+    good_cycles_ = is_good ? good_cycles_ + 1 : 0;
+    if (is_together_ ? is_good : good_cycles_ < cycles_alone) return;
+    is_together_ = !is_together_;
+    good_cycles_ = 0;
+    ring_slaves_ = ring_.slaves;
+    if (is_together_ && cut()) return;
+    is_together_ = false;
+    static_cast<void>(cut()); // as it has fitted before
+}
+
+JAUSCAT_FUNCTION bool process_data::all_run() const noexcept {
+    if (is_together_) return is_ring_running_ && is_each_certain_;
+    for (std::size_t i = 0; i != plan_.member_count(); ++i)
+        if (plan_.member(i).status.condition != slave_condition::running) return false;
+    return is_running(ring_.all);
 }
 
 JAUSCAT_FUNCTION std::span<std::byte> process_data::outputs(const slave_record& slave) noexcept {
@@ -63,6 +91,10 @@ JAUSCAT_FUNCTION void process_data::begin_cycle() noexcept {
         is_complete_ = false;
     }
     forget_frames();
+    next_look_ = for_each_look([](const process_member&) {});
+    if (options_.watch_slaves && options_.watch_together) choose_watch();
+    is_ring_running_ = false;
+    is_each_certain_ = true;
     next_ = 0;
     returned_ = 0;
     counting_ = 0;
@@ -134,13 +166,13 @@ JAUSCAT_FUNCTION void process_data::forget_frames() noexcept {
 
 JAUSCAT_FUNCTION bool process_data::has_filler(const process_frame& frame) const noexcept {
     const bool is_alone =
-        !has_ring(frame) && frame.parts == 1 && !plan_.part(frame.first_part).counters.no_lrw && !options_.watch_slaves;
+        !has_ring(frame) && frame.parts == 1 && !plan_.part(frame.first_part).counters.no_lrw && !asks_each();
     return cycle_ > 0xFF && is_alone &&
            frame.size + datagram_overhead + process_plan::filler_size <= max_datagrams_size;
 }
 
 JAUSCAT_FUNCTION bool process_data::has_ring(const process_frame& frame) const noexcept {
-    return options_.watch_ring && frame.first_member == 0;
+    return (options_.watch_ring || options_.watch_together) && frame.first_member == 0;
 }
 
 JAUSCAT_FUNCTION bool process_data::begins_as_ours(const frame_view& frame) noexcept {
@@ -189,6 +221,8 @@ JAUSCAT_FUNCTION void process_data::take(process_frame& frame, const frame_view&
     auto watched = data;
     for (std::size_t i = 0; i != frame.parts; ++i)
         for (int n = plan_.part(frame.first_part + i).counters.no_lrw ? 2 : 1; n != 0; --n) ++watched;
+    if (is_together_ && has_ring(frame)) take_together(frame, watched);
+    is_each_certain_ = is_each_certain_ && is_ring_running_;
     std::size_t member = frame.first_member;
     const auto end = frame.first_member + frame.members;
     for (std::size_t i = 0; i != frame.parts; ++i) {
@@ -198,20 +232,58 @@ JAUSCAT_FUNCTION void process_data::take(process_frame& frame, const frame_view&
         const auto back = (*data++).data;
         for (const auto last = member + part.members; member != last; ++member) {
             auto& each = plan_.member(member);
-            const bool is_open = !options_.watch_slaves || watch(each, is_exchanged, frame.sent_at, watched);
-            if (is_open && is_exchanged)
-                take_inputs(each.place, back.subspan(each.place.output_address - part.address));
+            bool is_open = !is_together_ || is_ring_running_;
+            if (asks_each()) is_open = watch(each, is_exchanged, frame.sent_at, watched);
+            if (!is_open || !is_exchanged) continue;
+            take_inputs(each.place, back.subspan(each.place.output_address - part.address));
+            if (is_together_) set_running(each, frame.sent_at);
         }
     }
-    for (; options_.watch_slaves && member != end; ++member) watch(plan_.member(member), true, frame.sent_at, watched);
-    if (has_ring(frame)) {
-        const auto all = *watched;
-        ring_ = {all.working_counter, all.value(esc_registers::al_status), frame.sent_at};
-    }
+    for (; asks_each() && member != end; ++member) watch(plan_.member(member), true, frame.sent_at, watched);
+    if (!is_together_ && has_ring(frame)) take_ring(frame, *watched);
     if (++returned_ != plan_.frame_count()) return;
     is_complete_ = is_counting_complete_;
     working_counter_ = counting_;
     ++(is_complete_ ? statistics_.complete : statistics_.incomplete);
+}
+
+JAUSCAT_FUNCTION void process_data::take_ring(const process_frame& frame, const datagram_view& all) noexcept {
+    ring_ = {all.working_counter, all.value(esc_registers::al_status), frame.sent_at};
+}
+
+JAUSCAT_FUNCTION void process_data::take_together(const process_frame& frame, frame_view::iterator next) noexcept {
+    take_ring(frame, *next++);
+    is_ring_running_ = ring_.slaves == ring_slaves_ && is_running(ring_.all);
+    for (std::size_t i = 0; i != plan_.member_count(); ++i) plan_.member(i).status.reply_waiting = false;
+    for_each_look([&](process_member& each) {
+        const bool is_there = ask(each, next) == 1;
+        is_ring_running_ = is_ring_running_ && is_there && is_running(each.status.al);
+    });
+    for (std::size_t i = 0; is_ring_running_ && i != plan_.member_count(); ++i)
+        if (plan_.member(i).place.size() == 0) set_running(plan_.member(i), frame.sent_at);
+}
+
+JAUSCAT_FUNCTION void process_data::set_running(process_member& each, time_point sent_at) noexcept {
+    auto& status = each.status;
+    status.condition = slave_condition::running;
+    status.al = {.state = al_state::op};
+    status.last_frame = status.last_running = status.last_inputs = sent_at;
+}
+
+JAUSCAT_FUNCTION bool process_data::is_running(const al_status& al) noexcept {
+    return al.state == al_state::op && !al.error;
+}
+
+JAUSCAT_FUNCTION std::uint16_t process_data::ask(process_member& each, frame_view::iterator& next) noexcept {
+    const auto state = *next++;
+    if (state.working_counter == 1) each.status.al = state.value(esc_registers::al_status);
+    each.status.reply_waiting = false;
+    if (each.has_mailbox) {
+        const auto reply = *next++;
+        const auto mailbox = reply.value(sync_manager_handshake_of(1));
+        each.status.reply_waiting = reply.working_counter == 1 && mailbox.enable && mailbox.full;
+    }
+    return state.working_counter;
 }
 
 JAUSCAT_FUNCTION bool process_data::is_complete(const process_part& part, frame_view::iterator& next) noexcept {
@@ -243,18 +315,11 @@ JAUSCAT_FUNCTION bool process_data::watch(process_member& each, bool is_exchange
                                           frame_view::iterator& next) noexcept {
     auto& status = each.status;
     status.last_frame = sent_at;
-    const auto state = *next++;
-    if (state.working_counter == 1) status.al = state.value(esc_registers::al_status);
-    status.reply_waiting = false;
-    if (each.has_mailbox) {
-        const auto reply = *next++;
-        const auto mailbox = reply.value(sync_manager_handshake_of(1));
-        status.reply_waiting = reply.working_counter == 1 && mailbox.enable && mailbox.full;
-    }
-    status.condition = condition_of(state.working_counter, status.al.state, is_exchanged);
+    const auto answers = ask(each, next);
+    status.condition = condition_of(answers, status.al.state, is_exchanged);
     if (status.condition == slave_condition::running) status.last_running = status.last_frame;
     const bool is_open = status.al.state == al_state::op || status.al.state == al_state::safe_op;
-    const bool counts = is_exchanged && is_open && state.working_counter == 1;
+    const bool counts = is_exchanged && is_open && answers == 1;
     if (counts) status.last_inputs = status.last_frame;
     return counts;
 }
