@@ -2,7 +2,8 @@
 
 namespace simulation {
 
-void arm_unit::power_on(time) {
+void arm_unit::power_on(time now) {
+    now_ = told_to_rest_at_ = now;
     arm_.emplace([](auto&&...) {}, [this] { tell_efforts(); });
     application_.emplace(subsystem, *arm_);
     process_data_.emplace(*arm_);
@@ -15,6 +16,7 @@ void arm_unit::power_on(time) {
 }
 
 void arm_unit::on_time(time now) {
+    now_ = now;
     application_->set_station(slave_->station_address());
     slave_->work();
     slave_->on_time(jauscat::time_point{now});
@@ -30,7 +32,7 @@ ethercat::abort_code arm_unit::write(std::uint16_t index, std::uint8_t subindex,
         return abort_;
     }
     const auto result = application_->write(index, subindex, data);
-    if (result == ethercat::abort_code::none) note_emergency(index, subindex, data);
+    if (result == ethercat::abort_code::none) note_order(index, subindex, data);
     return result;
 }
 
@@ -38,14 +40,17 @@ ethercat::object_read arm_unit::read(std::uint16_t index, std::uint8_t subindex,
     return application_->read(index, subindex, out);
 }
 
-void arm_unit::note_emergency(std::uint16_t index, std::uint8_t subindex, bytes data) noexcept {
+void arm_unit::note_order(std::uint16_t index, std::uint8_t subindex, bytes data) noexcept {
     std::array<std::byte, delivery::translator::max_message_size> message{};
     const bridging::slave_identity self{.subsystem = subsystem, .station = slave_->station_address()};
     const auto restored = delivery::message_of({self.station, index, subindex, data}, self, message);
     if (!restored) return;
-    const auto code = jaus::split(*restored).header.command_code;
+    const auto order = jaus::split(*restored);
+    const auto code = order.header.command_code;
     if (code == jaus::command_code_of<jaus::set_emergency>) emergency_ = true;
     if (code == jaus::command_code_of<jaus::clear_emergency>) emergency_ = false;
+    const bool is_rest = moves(code) && motion_in(code, order.body) == command_number{0};
+    if (is_rest || code == jaus::command_code_of<jaus::set_emergency>) told_to_rest_at_ = now_;
 }
 
 void arm_unit::tell_efforts() {

@@ -39,6 +39,8 @@ class arm_unit final : public device {
     [[nodiscard]] ethercat::slave& slave() noexcept override { return *slave_; }
     [[nodiscard]] const ethercat::slave& slave() const noexcept override { return *slave_; }
     [[nodiscard]] bool in_emergency() const noexcept { return emergency_; }
+    /// When its supply came, or it last took zero efforts or Set Emergency by mailbox.
+    [[nodiscard]] time told_to_rest_at() const noexcept { return told_to_rest_at_; }
     /// The next writes to objects are aborted so.
     void abort_from_now(unsigned writes, ethercat::abort_code code) noexcept {
         aborts_ = writes;
@@ -46,6 +48,7 @@ class arm_unit final : public device {
     }
     /// It has said that it has no such object: who believes that does not tell it of emergencies any more.
     [[nodiscard]] bool denies_objects() const noexcept { return denies_objects_; }
+    [[nodiscard]] bool is_aborting() const noexcept { return aborts_ != 0; }
     /// Whether there was one since the last call.
     bool take_aborted() noexcept { return std::exchange(aborted_, false); }
 
@@ -58,7 +61,7 @@ class arm_unit final : public device {
     using delivery = bridging::delivery<bridge_table>;
 
     void tell_efforts();
-    void note_emergency(std::uint16_t index, std::uint8_t subindex, bytes data) noexcept;
+    void note_order(std::uint16_t index, std::uint8_t subindex, bytes data) noexcept;
 
     static constexpr std::chrono::milliseconds command_timeout{450}; // that of robot_arm
 
@@ -68,6 +71,7 @@ class arm_unit final : public device {
     std::optional<example::arm_process_data> process_data_{};
     std::optional<example::arm_watch> watch_{};
     bool emergency_{};
+    time now_{}, told_to_rest_at_{};
     unsigned aborts_{};
     bool aborted_{}, denies_objects_{};
     ethercat::abort_code abort_{};

@@ -128,13 +128,21 @@ bridging::bridge_options bridge_settings::options(const unit_settings& of) const
 
 ring_times bridge_settings::times(const unit_settings& of) const {
     constexpr auto between_checks = milliseconds{10};
+    const auto made = options(of);
     if (of.axes == 0)
         return {.at_rest_in = of.limit,
                 .noticed_in = of.limit + milliseconds{150},
                 .fresh_for = of.limit,
-                .two_cycles = of.cyclic ? 2 * period : time{}};
-    const time limit = options(of).longest_silence + 2 * period + between_checks;
-    return {.at_rest_in = of.limit, .noticed_in = limit, .fresh_for = limit, .two_cycles = 2 * period};
+                .two_cycles = of.cyclic ? 2 * period : time{},
+                .cycle = of.cyclic ? period : time{},
+                .control_timeout = made.control_timeout};
+    const time limit = made.longest_silence + 2 * period + between_checks;
+    return {.at_rest_in = of.limit,
+            .noticed_in = limit,
+            .fresh_for = limit,
+            .two_cycles = 2 * period,
+            .cycle = period,
+            .control_timeout = made.control_timeout};
 }
 
 void bridge_program::boot() {

@@ -1,12 +1,14 @@
 // What the simulation reads of messages, and the command that each Set Wrench Effort carries.
 #pragma once
 
+#include "simulation/generator.hpp"
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/jaus/manipulator.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/wire/raw.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -46,6 +48,21 @@ template <class Message> [[nodiscard]] std::optional<command_number> command_in(
     wire::raw<Message> efforts{};
     if (!wire::decode(efforts, body)) return std::nullopt;
     return command_of<Message>(efforts);
+}
+/// Whether the efforts that a report has are those of `command`.
+[[nodiscard]] inline bool are_of(const wire::raw<jaus::report_wrench_effort>& told, command_number command) {
+    using T = jaus::report_wrench_effort;
+    const auto right = efforts_of<T>(command);
+    const auto is_right = [](const auto& one, const auto& other) { return !one || one == other; };
+    return is_right(told.get<&T::propulsive_linear_effort_x>(), right.get<&T::propulsive_linear_effort_x>()) &&
+           is_right(told.get<&T::propulsive_linear_effort_y>(), right.get<&T::propulsive_linear_effort_y>()) &&
+           is_right(told.get<&T::propulsive_rotational_effort_z>(), right.get<&T::propulsive_rotational_effort_z>());
+}
+/// A query for none, all or some efforts, or for more than there are.
+[[nodiscard]] inline jaus::query_wrench_effort query_of_efforts(generator& random) {
+    constexpr std::array<std::uint16_t, 3> vectors{0, 0x0FFF, 0xFFFF};
+    const auto which = random.below(6);
+    return {which < vectors.size() ? vectors[which] : static_cast<std::uint16_t>(random.below(0x1000))};
 }
 /// The same of efforts in percent.
 template <class Message> [[nodiscard]] std::optional<command_number> command_of_percents(const Message& efforts) {

@@ -162,6 +162,7 @@ bool model::has_not_paused(const jaus::address& source) const {
 
 void model::delivers_large(const process& at, const jaus::header& head, bytes body) {
     const auto identity = identity_of_large(body);
+    world_.compares(comparison::large_data);
     world_.tell({.what = deed::delivers_large,
                  .who = at.number(),
                  .code = head.command_code,
@@ -215,6 +216,7 @@ void model::arrives(std::uint8_t which, std::uint32_t message, const jaus::heade
     a.was_repeat = sent != nullptr && sent->done;
     if (sent != nullptr) sent->was_refused = false;
     if (sent != nullptr && sent->arrived_at == time{}) sent->arrived_at = world_.now();
+    if (a.controller && senders_[*a.controller].id == head.source) a.controller_heard = world_.now();
     world_.tell({.what = deed::gets,
                  .who = a.number,
                  .whom = sent != nullptr ? senders_[sent->sender].program->number() : std::uint8_t{},
@@ -246,6 +248,7 @@ void model::answers(std::uint8_t which, bytes message) {
         }
         return reported(a, head, m.body);
     }
+    check_asked_for(a, head);
     const bool ack = head.ack_nak == jaus::ack_nak::ack;
     if (a.current != 0 && head.destination == a.head.source && head.command_code == a.head.command_code &&
         head.sequence_number == a.head.sequence_number) {
@@ -253,6 +256,26 @@ void model::answers(std::uint8_t which, bytes message) {
         return;
     }
     if (ack) later_acknowledged(a, head);
+}
+
+// By the message that is being handled, or by one that has arrived.
+void model::check_asked_for(const actuator_account& a, const jaus::header& answer) {
+    if (answer.command_code >= 0x2000) return; // not followed
+    const auto is_asked_by = [&](const jaus::header& head) {
+        return head.ack_nak == jaus::ack_nak::request && head.source == answer.destination &&
+               head.command_code == answer.command_code && head.sequence_number == answer.sequence_number;
+    };
+    world_.compares(comparison::asked_for);
+    const bool is_asked = is_asked_by(a.head) || std::ranges::any_of(a.arrived, [&](std::uint32_t number) {
+                              const auto* sent = find(number);
+                              return sent != nullptr && sent->source == answer.destination &&
+                                     sent->code == answer.command_code &&
+                                     sent->sequence_number == answer.sequence_number;
+                          });
+    if (!is_asked)
+        breaks(contract::s1, a, 0, "an acknowledgement or a refusal that somebody asked for",
+               "one of command code " + hex(answer.command_code) + ", number " +
+                   std::to_string(answer.sequence_number) + ", that nobody asked for");
 }
 
 // Of a message that took its time. Of several with the same number it is one that was executed, if there is one. One
@@ -341,6 +364,7 @@ void model::acknowledged(actuator_account& a, std::uint32_t number) {
                  .message = number});
     sent->acknowledged = true;
     look(a);
+    world_.compares(stops(sent->code) ? comparison::stop_confirmed : comparison::acknowledgement);
     if (sent->is_malformed)
         return breaks(contract::s1, a, number, "a NAK, or nothing, for a body that is none of this message",
                       "an acknowledgement");
@@ -394,6 +418,11 @@ void model::handled(std::uint8_t which) {
                      .message = sent->number});
         if (a.wire == nullptr && moves(sent->code) && must_be_remembered(a, *sent))
             breaks(contract::s1, a, sent->number, "ACK or nothing for what was executed", "a NAK");
+        const bool has_reason =
+            sent->is_malformed || a.state != primary_status_code::ready || (a.controller && *a.controller != sent->sender);
+        if (a.wire == nullptr && moves(sent->code) && !has_reason && !a.was_repeat)
+            breaks(contract::s1, a, sent->number, "a refusal has a reason",
+                   "a NAK for a motion command that may be executed");
     }
     take_emergency_codes(a, *sent);
     if (sent->code == jaus::command_code_of<jaus::reset>) a.reset_at = world_.now();
@@ -444,6 +473,7 @@ void model::executes(std::uint8_t which, command_number command) {
 
 // An actuator, or the first axes of one.
 void model::obeys(actuator_account& a, const sent_message* sent, command_number command) {
+    world_.compares(comparison::obeyed);
     if (sent == nullptr || (command != 0 && sent->command != command) || sent->destination != a.id)
         return breaks(contract::s7, a, 0, "efforts that somebody sent to this actuator",
                       "command " + std::to_string(command) + ", which nobody has sent");
@@ -492,16 +522,16 @@ void model::note_efforts(actuator_account& a, command_number command) {
 }
 
 // At any instant since then.
-bool model::were_in_force(const actuator_account& a, command_number command, time since) const {
-    if (a.command == command) return true;
+template <class Says> bool model::were_in_force(const actuator_account& a, time since, const Says& says) const {
+    if (says(a.command)) return true;
     time until = world_.now();
     for (std::size_t i = 0; i != std::min<std::size_t>(a.effort_count, a.efforts.size()); ++i) {
         const auto& [at, what] = a.efforts[(a.effort_count - 1 - i) % a.efforts.size()];
-        if (what == command && until >= since) return true;
+        if (says(what) && until >= since) return true;
         if (at <= since) return false;
         until = at;
     }
-    return command == 0; // before the first
+    return says(0); // before the first
 }
 
 void model::moves_to(std::uint8_t which, std::size_t axis, command_number command) {
@@ -519,6 +549,7 @@ void model::moves_to(std::uint8_t which, std::size_t axis, command_number comman
 void model::ends(std::uint8_t which, time told) {
     const auto& a = actuators_[which];
     for (const auto& axis : a.axes) {
+        world_.compares(comparison::rest_at_end);
         const auto& slave = (*a.wire)[axis.slave];
         const bool was_disturbed = slave.disturbed_at + std::chrono::milliseconds{700} > told || slave.frozen ||
                                    a.wire->trouble_of(axis.slave) || a.program->jumped_at() > told;
@@ -537,8 +568,11 @@ void model::enters(std::uint8_t which, primary_status_code from, primary_status_
                  .message = a.current,
                  .value = static_cast<std::uint32_t>(to)});
     look_for_lost_holders(a);
+    if (to == ready && (from == failure || from == initialize)) check_ready(a, std::max(a.lost_since, a.not_ready_since));
     if (a.state == ready && to != ready) a.not_ready_since = world_.now();
     if (a.state != to && (to == failure || to == initialize)) a.failed_since = world_.now();
+    if (a.state != to && to == failure && from != emergency) a.lost_since = world_.now(); // that covers rest
+    if (a.state != to) a.entered_at = world_.now();
     a.state = to;
     auto* cause = find(a.current);
     if (cause != nullptr && (from == ready || to == emergency)) cause->stopped_it = true;
@@ -564,6 +598,9 @@ void model::enters(std::uint8_t which, primary_status_code from, primary_status_
 }
 
 void model::hears_lost(std::uint8_t which, const jaus::address& who) {
+    auto& a = actuators_[which];
+    const bool is_of_controller = a.controller && senders_[*a.controller].id.subsystem == who.subsystem;
+    if (is_of_controller) a.controller_gone = world_.now();
     world_.tell({.what = deed::gives_up,
                  .who = actuators_[which].number,
                  .value = std::uint32_t{who.subsystem} << 24U | std::uint32_t{who.node} << 16U |
@@ -583,7 +620,11 @@ void model::controlled(std::uint8_t which, const std::optional<jaus::address>& n
                  .whom = who ? senders_[*who].program->number() : std::uint8_t{},
                  .message = a.current});
     a.controlled_since = world_.now();
-    if (now) return;
+    if (now) {
+        a.controller_heard = world_.now();
+        return;
+    }
+    check_control_is_kept(a);
     const auto* cause = find(a.current);
     const bool is_released = cause != nullptr && cause->code == jaus::command_code_of<jaus::release_component_control>;
     if (a.controller && a.command != 0 && !is_released) a.orphaned_since = unreachable_since(*a.controller, a);
@@ -599,24 +640,69 @@ void model::confirmed(actuator_account& a, const jaus::header& head, bytes body)
     a.controller = *to;
 }
 
+// A controller whose messages come keeps control until it releases it, or the component rejects it or confirms another.
+void model::check_control_is_kept(const actuator_account& a) {
+    if (!a.controller) return; // it was told
+    const auto* cause = find(a.current);
+    if (cause != nullptr && cause->code == jaus::command_code_of<jaus::release_component_control> &&
+        cause->sender == *a.controller)
+        return;
+    world_.compares(comparison::control_kept);
+    const time jumped = a.program->jumped_at();
+    if (jumped > a.controller_heard || world_.now() - a.controller_heard >= a.control_timeout) return;
+    constexpr time of_pulses = std::chrono::milliseconds{1500}, of_node = std::chrono::seconds{4};
+    const auto& from = *senders_[*a.controller].program;
+    if (a.controller_gone == world_.now() && (world_.now() - network_.pulse_heard(from.port(), a.port) > of_pulses ||
+                                              world_.now() - jumped <= of_node))
+        return; // its node is not heard
+    breaks(contract::s5, a, a.current, "a controller that is heard keeps control",
+           "it was lost " + in_ms(world_.now() - a.controller_heard) + " after the last message of the controller");
+}
+
 void model::reported(const actuator_account& a, const jaus::header& head, bytes body) {
     if (head.command_code == jaus::command_code_of<jaus::report_component_status>) {
+        world_.compares(comparison::status_reported);
         jaus::report_component_status m{};
         if (wire::decode(m, body) && m.primary_status_code != a.state)
             breaks(contract::s4, a, 0, "the state that is: " + text(a.state),
                    "reported: " + text(m.primary_status_code));
     }
-    if (head.command_code == jaus::command_code_of<jaus::report_wrench_effort>) {
-        const auto told = command_in<jaus::report_wrench_effort>(body);
-        const time since = world_.now() - a.at_rest_in;
-        if (told && !were_in_force(a, *told, since))
-            breaks(contract::s4, a, 0, "the efforts in force: command " + std::to_string(a.command),
-                   "reported: command " + std::to_string(*told));
-    }
+    if (head.command_code == jaus::command_code_of<jaus::report_wrench_effort>) check_efforts(a, body);
     if (head.command_code == jaus::command_code_of<jaus::report_joint_velocities>) check_velocities(a, body);
 }
 
+// When anything last happened to its slaves, its frames or its program that makes values old.
+time model::last_disturbance(const actuator_account& a) {
+    time last = a.program->jumped_at();
+    if (a.wire == nullptr) return last;
+    last = std::max(last, a.wire->frames_disturbed_at());
+    for (const auto& axis : a.axes) {
+        const auto& slave = (*a.wire)[axis.slave];
+        last = std::max({last, slave.disturbed_at, slave.unfrozen_at, slave.missed_at});
+    }
+    return last;
+}
+
+// A robot reports what is. A slave's inputs are those of the frame before the last one, and an upload takes some
+// frames; where something was lost, a value is as old as it may be.
+void model::check_efforts(const actuator_account& a, bytes body) {
+    wire::raw<jaus::report_wrench_effort> told{};
+    if (!wire::decode(told, body)) return;
+    constexpr time of_upload = std::chrono::milliseconds{25}, on_its_way = std::chrono::milliseconds{2};
+    const bool is_quiet = world_.now() - last_disturbance(a) > a.at_rest_in;
+    const time usual = a.cycle != time{} ? 2 * a.cycle + on_its_way : of_upload;
+    const time age = a.wire == nullptr ? time{} : is_quiet ? usual : a.fresh_for;
+    const auto command = command_in<jaus::report_wrench_effort>(body);
+    world_.compares(told == wire::raw<jaus::report_wrench_effort>{} ? comparison::no_efforts_reported
+                                                                     : comparison::efforts_reported);
+    if (!were_in_force(a, world_.now() - age, [&](command_number each) { return are_of(told, each); }))
+        breaks(contract::s4, a, 0,
+               "the efforts in force, or of the last " + in_ms(age) + ": command " + std::to_string(a.command),
+               command ? "reported: command " + std::to_string(*command) : "reported: some of another");
+}
+
 void model::check_velocities(const actuator_account& a, bytes body) {
+    world_.compares(comparison::velocities_reported);
     jaus::basic_report_joint_velocities<most_joints> told{};
     if (!wire::decode(told, body) || told.joint_velocity.size() != a.axes.size())
         return breaks(contract::s7, a, 0, "the velocities of " + std::to_string(a.axes.size()) + " joints",
@@ -644,9 +730,10 @@ void model::check() {
     check_senders();
 }
 
-void model::check_actuator(const actuator_account& a) {
+void model::check_actuator(actuator_account& a) {
     if (a.wire != nullptr) {
         check_known(a);
+        check_told(a);
         check_return(a);
         for (const auto& axis : a.axes)
             if (axis.command != 0) check_axis(a, axis);
@@ -660,6 +747,7 @@ void model::check_actuator(const actuator_account& a) {
     const auto since = unreachable_since(*a.controller, a);
     if (!since) return;
     // What was on its way when the controller was lost still arrives; a program that was away itself has just begun.
+    world_.compares(comparison::rest_when_lost);
     const time begin = std::max(*since + network::longest_delay, a.program->jumped_at());
     if (world_.now() - begin > a.controller_limit + slack)
         breaks(contract::s3, a, 0, "at rest " + in_ms(a.controller_limit) + " after the controller is lost",
@@ -668,6 +756,7 @@ void model::check_actuator(const actuator_account& a) {
 }
 
 void model::check_stop(const actuator_account& a, const axis_account& axis, const char* why, time since, time limit) {
+    world_.compares(comparison::rest_when_lost);
     if (world_.now() - since > limit)
         breaks(contract::s3, a, 0, "at rest " + in_ms(limit) + " after " + why,
                "efforts of command " + std::to_string(axis.command) + ", " + in_ms(world_.now() - since) + " later");
@@ -677,6 +766,7 @@ void model::check_stop(const actuator_account& a, const axis_account& axis, cons
 void model::check_known(const actuator_account& a) {
     if (!a.program->running() || a.state != primary_status_code::ready) return;
     for (const auto& axis : a.axes) {
+        world_.compares(comparison::known_to_run);
         const auto& slave = (*a.wire)[axis.slave];
         auto trouble = a.wire->trouble_of(axis.slave);
         if (slave.unknown_since && (!trouble || *slave.unknown_since < trouble->since))
@@ -707,6 +797,7 @@ void model::check_return(const actuator_account& a) {
     if (is_away || (has_drives && a.reset_at < since)) return;
     since = std::max(since, a.reset_at);
     constexpr auto long_enough = std::chrono::seconds{10};
+    world_.compares(comparison::brought_up);
     if (world_.now() - since > long_enough)
         breaks(contract::s6, a, 0, "a slave that is there is brought up and to rest",
                text(a.state) + " for " + in_ms(world_.now() - since) + " in which nothing has happened to it");
@@ -735,17 +826,86 @@ void model::check_axis(const actuator_account& a, const axis_account& axis) {
                    a.controller_limit + frames_lost);
 }
 
+// A slave by mailbox gets each stop order that its component owes it, whatever it refuses in between.
+void model::check_told(actuator_account& a) {
+    const auto* const arm = arm_of(a);
+    const bool owes = a.state == primary_status_code::emergency || a.state == primary_status_code::standby ||
+                      a.state == primary_status_code::shutdown;
+    if (arm == nullptr) return;
+    const auto& slave = (*a.wire)[a.axes.front().slave];
+    if (slave.frozen || slave.state_is_unknown || arm->is_aborting() || a.wire->trouble_of(a.axes.front().slave) ||
+        !a.program->running())
+        a.troubled_at = world_.now();
+    if (!owes || a.troubled_at == world_.now()) return;
+    // A slave that has come back is brought up first; one that refuses is told again after a pause that grows.
+    constexpr time bring_up = std::chrono::seconds{3};
+    const bool is_back = world_.now() - a.troubled_at <= 2 * bring_up;
+    const time since = std::max({a.entered_at, last_disturbance(a), a.troubled_at});
+    if (world_.now() - since <= (is_back ? bring_up : a.at_rest_in + std::chrono::milliseconds{60})) return;
+    const auto in = in_ms(world_.now() - since);
+    if (a.state == primary_status_code::emergency && !arm->denies_objects()) {
+        world_.compares(comparison::told_of_emergency);
+        if (!arm->in_emergency() && slave.restarted_at < a.entered_at)
+            return breaks(contract::s2, a, 0, "a slave is told of an emergency", "it is not, after " + in);
+    }
+    if (slave.cyclic) return;
+    world_.compares(comparison::told_to_rest);
+    if (arm->told_to_rest_at() < a.not_ready_since)
+        breaks(contract::s2, a, 0, "a slave is told to rest when its component is in " + text(a.state),
+               "it is not, after " + in);
+}
+
+// After a failure, or at the start, a component is Ready when its actuator is known to be at rest.
+void model::check_ready(const actuator_account& a, time since) {
+    if (a.wire == nullptr) return;
+    world_.compares(comparison::ready_after_rest);
+    const auto* const arm = arm_of(a);
+    if (arm != nullptr && !(*a.wire)[a.axes.front().slave].cyclic && arm->told_to_rest_at() < since)
+        breaks(contract::s2, a, 0, "Ready when the slave has confirmed that it is at rest",
+               "Ready, and the slave was not told to rest");
+    constexpr double standstill = 200; // increments/s
+    for (const auto& axis : a.axes) {
+        const auto& slave = (*a.wire)[axis.slave];
+        if (slave.drive != nullptr && std::abs(slave.drive->axis(axis.axis).velocity()) > standstill)
+            breaks(contract::s2, a, 0, "Ready when the drives are at rest", "Ready, and a drive turns");
+    }
+}
+
+// A set of which no packet was lost or late arrives. One without acknowledgements may be given up for the next one.
+void model::check_large(const sender_account& account) {
+    for (const auto& one : account.large) {
+        constexpr time long_enough = std::chrono::seconds{8}, before = std::chrono::seconds{4};
+        const time age = world_.now() - one.at;
+        if (!one.wants_acknowledgement || one.life != account.program->life() || age < long_enough ||
+            age > long_enough + std::chrono::seconds{1})
+            continue;
+        const auto to = std::ranges::find(actuators_, one.destination, &actuator_account::id);
+        if (to == actuators_.end() || !to->program->running() || !account.program->running() || account.mute_since)
+            continue;
+        const time quiet = std::max({account.program->jumped_at(), to->program->jumped_at(),
+                                     network_.disturbed_at(account.program->port(), to->port)});
+        if (quiet + before > one.at) continue;
+        world_.compares(comparison::large_data_arrives);
+        if (one.delivered == 0 && !one.closed)
+            breaks(contract::s1, account, 0, "a large data set of which nothing was lost arrives",
+                   "number " + std::to_string(one.identity) + " has not, " + in_ms(age) + " later");
+    }
+}
+
 void model::check_senders() {
     for (auto& account : senders_) {
         if (!account.program->running()) continue;
+        check_large(account);
         std::erase_if(account.open, [&](const auto& one) {
             const auto* sent = find(one.first);
             return sent == nullptr || sent->closed || sent->life != account.program->life();
         });
-        for (const auto& [number, until] : account.open)
+        for (const auto& [number, until] : account.open) {
+            world_.compares(comparison::outcome_learnt);
             if (account.program->run_time() > until)
                 return breaks(contract::s6, account, number, "an outcome, or that there is none, in bounded time",
                               "its sender still waits");
+        }
     }
 }
 

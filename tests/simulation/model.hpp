@@ -92,8 +92,10 @@ struct actuator_account {
     time fresh_for{};  ///< how old a reported value may be
     time two_cycles{}; ///< until the loss of an address or a state is noticed
     time reset_at{};   ///< it has got Reset
+    time cycle{};      ///< between two frames with process data; 0: efforts are reported by mailbox
     // How it is made:
     time controller_limit{}; ///< how long after its controller is lost it must be at rest
+    time control_timeout{};  ///< after which a silent controller is lost
     // What was seen:
     jaus::primary_status_code state{};
     command_number command{};                 ///< in force; 0: at rest
@@ -109,13 +111,18 @@ struct actuator_account {
     std::vector<std::uint32_t> arrived{}; ///< messages that request acknowledgement, see note_arrival
     // What was in force, and when:
     time failed_since{}, not_ready_since{}, rest_seen_at{}, emergency_seen_at{}, controlled_since{};
+    time entered_at{};       ///< its state
+    time lost_since{};       ///< its slave, or a drive has had a fault
+    time controller_heard{}; ///< it has got a message of its controller
+    time controller_gone{};  ///< its node no longer hears its controller
+    time troubled_at{};      ///< one of its slaves could not be commanded
     std::array<std::pair<time, command_number>, 32> efforts{};
     std::uint32_t effort_count{};
 };
 
 /// See actuator_account.
 struct ring_times {
-    time at_rest_in{}, noticed_in{}, fresh_for{}, two_cycles{};
+    time at_rest_in{}, noticed_in{}, fresh_for{}, two_cycles{}, cycle{}, control_timeout{};
 };
 
 class model {
@@ -127,8 +134,12 @@ class model {
         return static_cast<std::uint8_t>(senders_.size() - 1);
     }
     std::uint8_t add_actuator(const process& program, const jaus::address& id, std::uint8_t number, time limit) {
-        actuators_.push_back(
-            {.program = &program, .id = id, .port = program.port(), .number = number, .controller_limit = limit});
+        actuators_.push_back({.program = &program,
+                              .id = id,
+                              .port = program.port(),
+                              .number = number,
+                              .controller_limit = limit,
+                              .control_timeout = limit});
         return static_cast<std::uint8_t>(actuators_.size() - 1);
     }
     /// The actuator is these axes of slaves, behind a component at this port.
@@ -142,6 +153,8 @@ class model {
         a.noticed_in = times.noticed_in;
         a.fresh_for = times.fresh_for;
         a.two_cycles = times.two_cycles;
+        a.cycle = times.cycle;
+        a.control_timeout = times.control_timeout;
     }
     [[nodiscard]] const actuator_account& actuator(std::uint8_t which) const { return actuators_[which]; }
 
@@ -214,10 +227,19 @@ class model {
     [[nodiscard]] static bool any_slave(const actuator_account& a, auto&& is) {
         return std::ranges::any_of(a.axes, [&](const axis_account& each) { return is((*a.wire)[each.slave]); });
     }
-    [[nodiscard]] bool were_in_force(const actuator_account& a, command_number command, time since) const;
+    // Whether `says(command)` was true of the efforts at some time since.
+    template <class Says>
+    [[nodiscard]] bool were_in_force(const actuator_account& a, time since, const Says& says) const;
     [[nodiscard]] bool is_like_one_before(const sent_message& sent) const;
     [[nodiscard]] bool was_on_its_way(const actuator_account& a, const sent_message& sent, time changed,
                                       time limit) const;
+    [[nodiscard]] static time last_disturbance(const actuator_account& a);
+    void check_asked_for(const actuator_account& a, const jaus::header& answer);
+    void check_efforts(const actuator_account& a, bytes body);
+    void check_told(actuator_account& a);
+    void check_ready(const actuator_account& a, time since);
+    void check_control_is_kept(const actuator_account& a);
+    void check_large(const sender_account& account);
     void check_known(const actuator_account& a);
     void check_return(const actuator_account& a);
     void check_axis(const actuator_account& a, const axis_account& axis);
@@ -233,7 +255,7 @@ class model {
     [[nodiscard]] bool has_not_paused(const jaus::address& source) const;
     [[nodiscard]] bool must_be_remembered(const actuator_account& a, const sent_message& sent) const;
     void check_senders();
-    void check_actuator(const actuator_account& a);
+    void check_actuator(actuator_account& a);
     void look_for_lost_holders(actuator_account& a);
 
     world& world_;

@@ -47,6 +47,7 @@ class network final : public actor {
         cut_.assign(users_.size() * users_.size(), {});
         pulse_.assign(users_.size() * users_.size(), {});
         component_.assign(users_.size() * users_.size(), {});
+        disturbed_.assign(users_.size() * users_.size(), {});
         return static_cast<std::uint8_t>(users_.size() - 1);
     }
     [[nodiscard]] std::size_t size() const noexcept { return users_.size(); }
@@ -55,10 +56,13 @@ class network final : public actor {
     void send(std::uint8_t from, std::uint8_t to, std::span<const std::byte> content, std::uint32_t message) {
         if (content.size() > sizeof datagram::bytes) return;
         tell(deed::sends, from, to, content, message);
-        if (is_cut(from, to) || world_.faults.strikes(fault::datagram_lost, 10'000))
+        if (is_cut(from, to) || world_.faults.strikes(fault::datagram_lost, 10'000)) {
+            disturbed_[from * users_.size() + to] = world_.now();
             return tell(deed::loses, from, to, content, message);
+        }
         put(from, to, content, message);
         if (!world_.faults.strikes(fault::datagram_doubled, 10'000)) return;
+        disturbed_[from * users_.size() + to] = world_.now();
         tell(deed::doubles, from, to, content, message);
         put(from, to, content, message);
     }
@@ -76,6 +80,11 @@ class network final : public actor {
     /// The same for any message of a component other than the node manager, but for queries of a heartbeat.
     [[nodiscard]] time component_heard(std::uint8_t from, std::uint8_t to) const noexcept {
         return component_[from * users_.size() + to];
+    }
+
+    /// When a datagram between two ports, in either direction, was last lost, doubled or late.
+    [[nodiscard]] time disturbed_at(std::uint8_t a, std::uint8_t b) const noexcept {
+        return std::max(disturbed_[a * users_.size() + b], disturbed_[b * users_.size() + a]);
     }
 
     void on_event(std::uint8_t what, std::uint32_t argument) override {
@@ -134,6 +143,7 @@ class network final : public actor {
                          .between(std::chrono::microseconds{100}, std::chrono::microseconds{400});
         if (world_.faults.strikes(fault::datagram_delayed, 10'000)) {
             delay = world_.faults.random(fault::datagram_delayed).between(std::chrono::milliseconds{1}, longest_delay);
+            disturbed_[from * users_.size() + to] = world_.now() + delay;
             tell(deed::delays, from, to, content, message,
                  static_cast<std::uint32_t>(delay / std::chrono::milliseconds{1}));
         }
@@ -189,7 +199,7 @@ class network final : public actor {
     world& world_;
     std::vector<port_user*> users_{};
     std::vector<cut_state> cut_{};
-    std::vector<time> pulse_{}, component_{};
+    std::vector<time> pulse_{}, component_{}, disturbed_{};
     std::vector<std::unique_ptr<datagram>> all_{};
     std::vector<std::uint32_t> free_{};
 };

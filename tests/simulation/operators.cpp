@@ -126,7 +126,7 @@ void operator_program::move(command_number number, bool acknowledged) {
 
 void operator_program::query_motion() {
     if (joints_ != 0) return command(jaus::query_joint_velocities{}, false);
-    command(jaus::query_wrench_effort{}, false);
+    command(query_of_efforts(random_), false);
 }
 
 void operator_program::send_large() {
@@ -338,7 +338,7 @@ void foreign_operator::move(command_number number, bool acknowledged) {
 
 void foreign_operator::query_motion() {
     if (joints_ != 0) return put(target_, jaus::query_joint_velocities{});
-    put(target_, jaus::query_wrench_effort{});
+    put(target_, query_of_efforts(random_));
 }
 
 void foreign_operator::act() {

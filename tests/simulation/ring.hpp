@@ -99,6 +99,8 @@ class ring final : public actor {
     [[nodiscard]] const ring_place& operator[](std::size_t i) const noexcept { return places_[i]; }
     /// Whatever is wrong with a slave for longest; nothing where it can be commanded, and stops by itself if it is not.
     [[nodiscard]] std::optional<trouble> trouble_of(std::size_t i) const;
+    /// When a frame was last lost, late, damaged or doubled.
+    [[nodiscard]] time frames_disturbed_at() const noexcept { return frames_disturbed_at_; }
     /// Whether another slave is where it was at the start.
     [[nodiscard]] bool is_elsewhere(std::size_t i) const noexcept { return order_[i] != i; }
 
@@ -132,6 +134,7 @@ class ring final : public actor {
     std::function<void(std::size_t, std::size_t, command_number)> moved_;
     bool is_rough_;
     bool has_clocks_{};
+    time frames_disturbed_at_{};
     frame_user* user_{};
     std::vector<ring_place> places_{};
     std::vector<std::size_t> order_{}; ///< which slave is at each place of the cable

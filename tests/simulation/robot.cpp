@@ -1,10 +1,11 @@
 #include "simulation/robot.hpp"
 
 #include <jauscat/jaus/component/dispatcher.hpp>
+#include <jauscat/jaus/message/requested_fields.hpp>
 
 namespace simulation {
 
-actuator::actuator(const jaus::address& self, const process& program, model& m, std::uint8_t account,
+actuator::actuator(const jaus::address& self, node_program& program, model& m, std::uint8_t account,
                    time controller_timeout)
     : program_{program},
       model_{m},
@@ -27,6 +28,12 @@ jaus::message_outcome actuator::operator()(const jaus::header& head, bytes body)
         model_.executes(account_, command_);
         return message_outcome::handled;
     }
+    case jaus::command_code_of<jaus::query_wrench_effort>: {
+        jaus::query_wrench_effort query{};
+        if (!wire::decode(query, body)) return message_outcome::malformed;
+        report_efforts(head, query.presence_vector);
+        return message_outcome::handled;
+    }
     case large_code: model_.delivers_large(program_, head, body); return message_outcome::handled;
     default: return message_outcome::unhandled;
     }
@@ -45,6 +52,15 @@ void actuator::on_controller(const std::optional<jaus::controller>& now, jaus::c
 void actuator::rest() {
     command_ = 0;
     model_.rests(account_);
+}
+
+void actuator::report_efforts(const jaus::header& query, std::uint16_t presence_vector) {
+    auto report = efforts_of<jaus::report_wrench_effort>(command_);
+    jaus::keep_requested(report, presence_vector);
+    static_cast<void>(jaus::put({.destination = query.source, .source = core.self()}, report, [this](bytes message) {
+        model_.answers(account_, message);
+        program_.node().put(message, program_.now());
+    }));
 }
 
 std::optional<std::size_t> actuator::filler::operator()(std::uint16_t, std::uint32_t, std::span<std::byte> body) const {

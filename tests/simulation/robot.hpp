@@ -12,7 +12,7 @@ namespace simulation {
 /// The Primitive Driver. What it must do by itself is to bring its motors to rest whenever it is told to.
 class actuator {
   public:
-    actuator(const jaus::address& self, const process& program, model& m, std::uint8_t account,
+    actuator(const jaus::address& self, node_program& program, model& m, std::uint8_t account,
              time controller_timeout);
     actuator(const actuator&) = delete;
     actuator& operator=(const actuator&) = delete;
@@ -23,8 +23,9 @@ class actuator {
     void on_state(jaus::primary_status_code from, jaus::primary_status_code to);
     void on_controller(const std::optional<jaus::controller>& now, jaus::control_change why);
     void rest();
+    void report_efforts(const jaus::header& query, std::uint16_t presence_vector);
 
-    const process& program_;
+    node_program& program_;
     model& model_;
     std::uint8_t account_;
     command_number command_{};

@@ -11,6 +11,7 @@
 #include <iostream>
 #include <mutex>
 #include <random>
+#include <span>
 #include <stdexcept>
 #include <thread>
 
@@ -70,6 +71,7 @@ struct totals {
     std::array<double, 1 + system_count> of_each{}; ///< the same by system
     std::uint64_t steps{}, runs{};
     fault_counts faults{};
+    comparison_counts compared{};
     unsigned violations{};
 
     void add(const run_result& one) {
@@ -78,6 +80,7 @@ struct totals {
         steps += one.steps;
         ++runs;
         for (std::size_t i = 0; i != fault_count; ++i) faults[i] += one.faults[i];
+        for (std::size_t i = 0; i != compared.size(); ++i) compared[i] += one.compared[i];
         if (one.broken) ++violations;
     }
 };
@@ -117,6 +120,22 @@ void show_faults(const totals& all) {
                     static_cast<unsigned long long>(all.faults[i]));
 }
 
+/// Whether each has compared something, as far as the run was long enough for it.
+bool show_comparisons(const totals& all) {
+    std::printf("comparisons:\n");
+    bool is_each = true;
+    for (std::size_t i = 0; i != all.compared.size(); ++i) {
+        std::printf("  %-42s %12llu\n", std::string{comparison_names[i]}.c_str(),
+                    static_cast<unsigned long long>(all.compared[i]));
+        is_each = is_each && all.compared[i] != 0;
+    }
+    const bool is_long = std::ranges::all_of(std::span{all.of_each}.subspan(1, system_count - 1),
+                                             [](double seconds) { return seconds >= 1800; });
+    if (is_each || !is_long) return true;
+    std::printf("a check has compared nothing: this run has not proved what it checks\n");
+    return false;
+}
+
 bool run_seeds(const options& chosen) {
     const auto begin = wall::now();
     totals all{};
@@ -151,8 +170,9 @@ bool run_seeds(const options& chosen) {
     }
     show_progress(all, begin);
     show_faults(all);
+    const bool has_compared = show_comparisons(all);
     if (interrupted) std::printf("interrupted\n");
-    return all.violations == 0;
+    return all.violations == 0 && has_compared;
 }
 
 bool run_one(const options& chosen) {

@@ -231,6 +231,7 @@ run_result run(const settings& what) {
     result.steps = w.steps();
     result.digest = w.told.digest();
     result.faults = w.faults.counts();
+    result.compared = w.compared();
     result.names = w.names();
     if (result.broken) result.story = w.told.last();
     return result;

@@ -46,6 +46,7 @@ struct run_result {
     std::uint64_t steps{};
     std::uint64_t digest{};
     fault_counts faults{};
+    comparison_counts compared{};
     std::vector<std::string> names{}; ///< of the actors; 0 is the network
     std::vector<happening> story{};   ///< its end, if the contract was broken
 };

@@ -63,6 +63,8 @@ class world {
         broken_ = std::move(broken);
     }
     [[nodiscard]] const std::optional<violation>& broken() const noexcept { return broken_; }
+    void compares(comparison what) noexcept { ++compared_[static_cast<std::size_t>(what)]; }
+    [[nodiscard]] const comparison_counts& compared() const noexcept { return compared_; }
 
   private:
     generator random_;
@@ -71,6 +73,7 @@ class world {
     std::uint64_t steps_{};
     std::vector<std::string> names_{"network"};
     std::optional<violation> broken_{};
+    comparison_counts compared_{};
 
   public:
     fault_source faults;
