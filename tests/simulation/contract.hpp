@@ -28,7 +28,8 @@ enum class contract : std::uint8_t { s1, s2, s3, s4, s5, s6, s7, s8, memory, lim
     return names[static_cast<std::size_t>(point)];
 }
 
-/// What is compared with what ought to be. A long run in which one of them has compared nothing has proved nothing of it.
+/// What is compared with what ought to be. A long run in which one of them has compared nothing has proved nothing of
+/// it.
 enum class comparison : std::uint8_t {
     acknowledgement,
     asked_for,
@@ -50,26 +51,25 @@ enum class comparison : std::uint8_t {
     large_data_arrives,
     known_to_run,
 };
-inline constexpr std::array<std::string_view, 19> comparison_names{
-    "S1 acknowledged messages are executed",
-    "S1 acknowledgements and refusals are asked for",
-    "S2 confirmed stop orders have effect",
-    "S2 a slave is told of an emergency",
-    "S2 a slave is told to rest",
-    "S2 Ready after rest alone",
-    "S3 at rest when something is lost",
-    "S4 reported efforts are in force",
-    "S4 reports without efforts",
-    "S4 reported states are true",
-    "S4 reported velocities are true",
-    "S5 who may move moves",
-    "S5 a living controller keeps control",
-    "S6 senders learn an outcome",
-    "S6 slaves that are there are brought up",
-    "S6 at rest before the program ends",
-    "S7 large data sets are whole",
-    "S1 large data sets arrive",
-    "S8 what is not known to run is not Ready"};
+inline constexpr std::array<std::string_view, 19> comparison_names{"S1 acknowledged messages are executed",
+                                                                   "S1 acknowledgements and refusals are asked for",
+                                                                   "S2 confirmed stop orders have effect",
+                                                                   "S2 a slave is told of an emergency",
+                                                                   "S2 a slave is told to rest",
+                                                                   "S2 Ready after rest alone",
+                                                                   "S3 at rest when something is lost",
+                                                                   "S4 reported efforts are in force",
+                                                                   "S4 reports without efforts",
+                                                                   "S4 reported states are true",
+                                                                   "S4 reported velocities are true",
+                                                                   "S5 who may move moves",
+                                                                   "S5 a living controller keeps control",
+                                                                   "S6 senders learn an outcome",
+                                                                   "S6 slaves that are there are brought up",
+                                                                   "S6 at rest before the program ends",
+                                                                   "S7 large data sets are whole",
+                                                                   "S1 large data sets arrive",
+                                                                   "S8 what is not known to run is not Ready"};
 /// How often each has compared something.
 using comparison_counts = std::array<std::uint64_t, comparison_names.size()>;
 

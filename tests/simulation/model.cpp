@@ -418,8 +418,8 @@ void model::handled(std::uint8_t which) {
                      .message = sent->number});
         if (a.wire == nullptr && moves(sent->code) && must_be_remembered(a, *sent))
             breaks(contract::s1, a, sent->number, "ACK or nothing for what was executed", "a NAK");
-        const bool has_reason =
-            sent->is_malformed || a.state != primary_status_code::ready || (a.controller && *a.controller != sent->sender);
+        const bool has_reason = sent->is_malformed || a.state != primary_status_code::ready ||
+                                (a.controller && *a.controller != sent->sender);
         if (a.wire == nullptr && moves(sent->code) && !has_reason && !a.was_repeat)
             breaks(contract::s1, a, sent->number, "a refusal has a reason",
                    "a NAK for a motion command that may be executed");
@@ -568,7 +568,8 @@ void model::enters(std::uint8_t which, primary_status_code from, primary_status_
                  .message = a.current,
                  .value = static_cast<std::uint32_t>(to)});
     look_for_lost_holders(a);
-    if (to == ready && (from == failure || from == initialize)) check_ready(a, std::max(a.lost_since, a.not_ready_since));
+    if (to == ready && (from == failure || from == initialize))
+        check_ready(a, std::max(a.lost_since, a.not_ready_since));
     if (a.state == ready && to != ready) a.not_ready_since = world_.now();
     if (a.state != to && (to == failure || to == initialize)) a.failed_since = world_.now();
     if (a.state != to && to == failure && from != emergency) a.lost_since = world_.now(); // that covers rest
@@ -652,8 +653,8 @@ void model::check_control_is_kept(const actuator_account& a) {
     if (jumped > a.controller_heard || world_.now() - a.controller_heard >= a.control_timeout) return;
     constexpr time of_pulses = std::chrono::milliseconds{1500}, of_node = std::chrono::seconds{4};
     const auto& from = *senders_[*a.controller].program;
-    if (a.controller_gone == world_.now() && (world_.now() - network_.pulse_heard(from.port(), a.port) > of_pulses ||
-                                              world_.now() - jumped <= of_node))
+    if (a.controller_gone == world_.now() &&
+        (world_.now() - network_.pulse_heard(from.port(), a.port) > of_pulses || world_.now() - jumped <= of_node))
         return; // its node is not heard
     breaks(contract::s5, a, a.current, "a controller that is heard keeps control",
            "it was lost " + in_ms(world_.now() - a.controller_heard) + " after the last message of the controller");
@@ -694,7 +695,7 @@ void model::check_efforts(const actuator_account& a, bytes body) {
     const time age = a.wire == nullptr ? time{} : is_quiet ? usual : a.fresh_for;
     const auto command = command_in<jaus::report_wrench_effort>(body);
     world_.compares(told == wire::raw<jaus::report_wrench_effort>{} ? comparison::no_efforts_reported
-                                                                     : comparison::efforts_reported);
+                                                                    : comparison::efforts_reported);
     if (!were_in_force(a, world_.now() - age, [&](command_number each) { return are_of(told, each); }))
         breaks(contract::s4, a, 0,
                "the efforts in force, or of the last " + in_ms(age) + ": command " + std::to_string(a.command),

@@ -12,8 +12,7 @@ namespace simulation {
 /// The Primitive Driver. What it must do by itself is to bring its motors to rest whenever it is told to.
 class actuator {
   public:
-    actuator(const jaus::address& self, node_program& program, model& m, std::uint8_t account,
-             time controller_timeout);
+    actuator(const jaus::address& self, node_program& program, model& m, std::uint8_t account, time controller_timeout);
     actuator(const actuator&) = delete;
     actuator& operator=(const actuator&) = delete;
 
