@@ -199,7 +199,7 @@ TEST_CASE("slaves that stay keep outputs, inputs and status, and those that come
     CHECK(c.data.statistics().sent == 1);
 }
 
-TEST_CASE("slaves that all run are asked together, and each again once one does not") {
+TEST_CASE("the states of slaves that all run are read together, and each alone once one does not run") {
     bus b;
     for (int i = 0; i != 40; ++i) b.add(8, 8, false, i != 7);
     b.add(0, 0); // without process data
@@ -233,7 +233,7 @@ TEST_CASE("slaves that all run are asked together, and each again once one does 
     CHECK(c.data.ring().slaves == 41);
 
     std::vector<unsigned> asked(b.slaves.size() + 1);
-    for (int i = 0; i != 41; ++i) // eight of them each
+    for (int i = 0; i != 82; ++i) // 21 of the 41 each
         for (auto& frame : cycle(std::byte{3})) {
             frame_view view;
             REQUIRE(view.parse(frame));
@@ -241,7 +241,7 @@ TEST_CASE("slaves that all run are asked together, and each again once one does 
                 if (datagram.header.cmd == command::fprd && datagram.header.ado == esc_registers::al_status.address)
                     ++asked[datagram.header.adp];
         }
-    for (const auto& slave : b.slaves) CHECK(asked[slave.station] == 8);
+    for (const auto& slave : b.slaves) CHECK(asked[slave.station] == 42);
 
     const auto each_again = [&] {
         // What they were is not known in this cycle, and their inputs are those of the one before.
@@ -274,7 +274,16 @@ TEST_CASE("slaves that all run are asked together, and each again once one does 
         REQUIRE(c.data.on_frame(frames[0]));
         each_again();
     }
-    SECTION("one that is asked alone does not answer") {
+    SECTION("a polled one does not answer for its state") {
+        now += 1ms;
+        auto frames = c.cycle(now);
+        pass(b, frames[0], std::byte{4});
+        frames[0][frames[0].size() - process_plan::watch_size(true) + process_plan::watch_size(false) - 2] =
+            std::byte{};
+        REQUIRE(c.data.on_frame(frames[0]));
+        each_again();
+    }
+    SECTION("a polled one does not answer for its mailbox") {
         now += 1ms;
         auto frames = c.cycle(now);
         pass(b, frames[0], std::byte{3});
@@ -283,7 +292,7 @@ TEST_CASE("slaves that all run are asked together, and each again once one does 
         CHECK(all_are_new(std::byte{3}));
         CHECK(cycle(std::byte{3}).size() == 1);
     }
-    SECTION("the AL status of one that is asked alone is no state") {
+    SECTION("the AL status of a polled one is no state") {
         now += 1ms;
         auto frames = c.cycle(now);
         pass(b, frames[0], std::byte{4});
@@ -298,9 +307,9 @@ TEST_CASE("slaves that all run are asked together, and each again once one does 
     }
 }
 
-TEST_CASE("slaves that are asked together may be in several frames, in any order") {
+TEST_CASE("slaves whose states are read together may be in several frames, in any order") {
     bus b;
-    for (int i = 0; i != 200; ++i) b.add(8, 8, false, true);
+    for (int i = 0; i != 80; ++i) b.add(8, 8, false, true);
     cyclic_data c{b, {.watch_slaves = true, .watch_together = true}};
     jauscat::time_point now = instant{10ms};
     const auto cycle = [&](std::byte value, bool in_order = true) {
@@ -322,21 +331,35 @@ TEST_CASE("slaves that are asked together may be in several frames, in any order
         return std::ranges::count_if(b.slaves, [&](const auto& slave) { return c.data.status(slave).reply_waiting; });
     };
     for (int i = 0; i != 10; ++i) {
-        CHECK(cycle(std::byte{1}) == 9);
-        CHECK(waiting() == 200);
+        CHECK(cycle(std::byte{1}) == 4);
+        CHECK(waiting() == 80);
     }
     for (int i = 0; i != 30; ++i) {
-        CHECK(cycle(std::byte{2}) == 3);
-        CHECK(waiting() == 8); // of the last frame, too
+        CHECK(cycle(std::byte{2}) == 2);
+        CHECK(waiting() == 40); // of the last frame, too
     }
     for (const auto& slave : b.slaves) CHECK(has(c.data.inputs(slave), std::byte{2}));
-    CHECK(cycle(std::byte{3}, false) == 3); // that the others run is not known when they come
+    CHECK(cycle(std::byte{3}, false) == 2); // that the others run is not known when they come
     CHECK(has(c.data.inputs(b.slaves.back()), std::byte{2}));
-    CHECK(cycle(std::byte{3}, false) == 9);
+    CHECK(cycle(std::byte{3}, false) == 4);
     CHECK(has(c.data.inputs(b.slaves.back()), std::byte{3}));
 }
 
-TEST_CASE("slaves of a ring with others that do not run are never asked together") {
+TEST_CASE("slaves whose polls do not fit into one frame are polled in every cycle") {
+    bus b;
+    for (int i = 0; i != 100; ++i) b.add(8, 8, false, true);
+    cyclic_data c{b, {.watch_slaves = true, .watch_together = true}};
+    for (int i = 0; i != 30; ++i) {
+        auto frames = c.cycle(instant{10ms});
+        CHECK(frames.size() == 5);
+        for (auto& frame : frames) {
+            pass(b, frame, std::byte{1});
+            REQUIRE(c.data.on_frame(frame));
+        }
+    }
+}
+
+TEST_CASE("the states of slaves of a ring with others that do not run are never read together") {
     bus b;
     for (int i = 0; i != 3; ++i) b.add(4, 4);
     cyclic_data c{b, {.watch_slaves = true, .watch_together = true}};

@@ -40,10 +40,11 @@ struct process_options {
     /// One datagram of each cycle counts the slaves of the ring and reads the states of all, or-ed: see `ring`. It
     /// tells that a slave has come or gone (`locate_slaves` finds out which), and takes 18 bytes.
     bool watch_ring{};
-    /// With `watch_slaves`, while every slave of the ring runs: one datagram asks all of them together, as with
-    /// `watch_ring`, up to 8 are asked alone, in turn, and process data share datagrams. So a cycle with 40 slaves has
-    /// one frame instead of three. After a cycle in which a slave did not take part each is asked again; the inputs of
-    /// the others are a cycle old then.
+    /// With `watch_slaves`, while every slave of the ring runs: one datagram reads the states of all, as with
+    /// `watch_ring`, each slave is polled in every second cycle (all are where there are up to 8), and process data
+    /// share datagrams. A cycle with 40 slaves then has one frame instead of three. After a cycle in which a slave did
+    /// not take part, each is polled in every cycle again; in that one cycle no slave gets new inputs. Where the polls
+    /// of a cycle do not fit into one frame (some 80 slaves), each slave is polled in every cycle.
     bool watch_together{};
     /// That of the master which has configured the slaves.
     std::uint32_t logical_base{};
@@ -138,21 +139,19 @@ class process_data {
     // In the first frame of a cycle.
     [[nodiscard]] JAUSCAT_FUNCTION bool has_ring(const process_frame& frame) const noexcept;
 
+    [[nodiscard]] bool watches_ring() const noexcept { return options_.watch_ring || options_.watch_together; }
     // Each slave has datagrams of its own.
-    [[nodiscard]] bool asks_each() const noexcept { return options_.watch_slaves && !is_together_; }
-    [[nodiscard]] std::size_t look_count() const noexcept { return std::min(most_looks, plan_.member_count()); }
-    // The slaves that are asked alone in this cycle, in turn, while all are asked together. Returns where the next
-    // cycle goes on.
-    template <class Look> std::size_t for_each_look(Look&& look) const noexcept {
+    [[nodiscard]] bool polls_each() const noexcept { return options_.watch_slaves && !is_together_; }
+    // The slaves that are polled in this cycle while the states of all are read together.
+    [[nodiscard]] std::size_t polled_count() const noexcept {
         const auto count = plan_.member_count();
-        std::size_t at = next_look_;
-        for (std::size_t i = 0; is_together_ && i != look_count(); ++i) {
-            look(plan_.member(at));
-            at = at + 1 == count ? 0 : at + 1;
-        }
-        return at;
+        return is_together_ ? std::min(count, std::max(least_polled, (count + 1) / 2)) : 0;
     }
-    // Whether all are asked together from now on.
+    template <class Visit> void for_each_polled(Visit&& visit) const noexcept {
+        for (std::size_t i = 0; i != polled_count(); ++i)
+            visit(plan_.member((next_polled_ + i) % plan_.member_count()));
+    }
+    // Whether the states of all are read together from now on.
     JAUSCAT_FUNCTION void choose_watch() noexcept;
     [[nodiscard]] JAUSCAT_FUNCTION bool all_run() const noexcept;
     [[nodiscard]] JAUSCAT_FUNCTION bool cut() noexcept;
@@ -160,8 +159,8 @@ class process_data {
     JAUSCAT_FUNCTION void take_together(const process_frame& frame, frame_view::iterator next) noexcept;
     JAUSCAT_FUNCTION static void set_running(process_member& each, time_point sent_at) noexcept;
     [[nodiscard]] JAUSCAT_FUNCTION static bool is_running(const al_status& al) noexcept;
-    // Takes the answers of a slave that is asked alone. Returns how many slaves have answered for its state.
-    JAUSCAT_FUNCTION static std::uint16_t ask(process_member& each, frame_view::iterator& next) noexcept;
+    // Takes the answers of a polled slave. Returns how many slaves have answered for its state.
+    JAUSCAT_FUNCTION static std::uint16_t take_poll(process_member& each, frame_view::iterator& next) noexcept;
 
     // Calls `visit` for each datagram of a frame, in order, until it returns false. Returns whether it never did.
     template <class Visit> bool walk(const process_frame& frame, Visit&& visit) const noexcept {
@@ -183,7 +182,7 @@ class process_data {
             }
             if (!visit(datagram)) return false;
         }
-        const auto ask = [&](const process_member& member) {
+        const auto poll = [&](const process_member& member) {
             const auto read = [&](const auto& at) {
                 return visit(planned{.cmd = command::fprd,
                                      .adp = member.station,
@@ -192,14 +191,14 @@ class process_data {
             };
             return read(esc_registers::al_status) && (!member.has_mailbox || read(sync_manager_handshake_of(1)));
         };
-        for (std::size_t i = 0; asks_each() && i != frame.members; ++i)
-            if (!ask(plan_.member(frame.first_member + i))) return false;
+        for (std::size_t i = 0; polls_each() && i != frame.members; ++i)
+            if (!poll(plan_.member(frame.first_member + i))) return false;
         if (has_ring(frame)) {
             constexpr planned ring{
                 .cmd = command::brd, .ado = esc_registers::al_status.address, .length = wire::max_size<al_status>};
             if (!visit(ring)) return false;
             bool is_whole = true;
-            for_each_look([&](const process_member& member) { is_whole = is_whole && ask(member); });
+            for_each_polled([&](const process_member& member) { is_whole = is_whole && poll(member); });
             if (!is_whole) return false;
         }
         return !has_filler(frame) || visit(filler);
@@ -227,8 +226,8 @@ class process_data {
 
     static constexpr std::size_t ring_size = datagram_overhead + wire::max_size<al_status>;
     static constexpr std::chrono::nanoseconds longest_delay = std::chrono::seconds{10};
-    static constexpr unsigned cycles_alone = 10; // in which each slave runs, before they are asked together
-    static constexpr std::size_t most_looks = 8;
+    static constexpr unsigned cycles_alone = 10; // in which each slave runs, before states are read together
+    static constexpr std::size_t least_polled = 8;
 
     process_plan plan_;
     std::span<std::byte> bytes_;
@@ -236,11 +235,11 @@ class process_data {
     process_options options_{};
     ring_status ring_{};
     bool is_together_{};
-    bool is_ring_running_{}; // in this cycle, asked together
+    bool is_ring_running_{}; // in this cycle, read together
     bool is_each_certain_{}; // no frame of it came before the one that says so
     unsigned good_cycles_{};
-    std::uint16_t ring_slaves_{}; // with which they were asked together first
-    std::size_t next_look_{};     // the member that is asked alone next
+    std::uint16_t ring_slaves_{}; // when states were first read together
+    std::size_t next_polled_{};   // the first member that is polled in this cycle
     bool fits_{true};
     std::uint16_t cycle_{};
     std::size_t next_{};        // frame to be sent

@@ -39,16 +39,15 @@ JAUSCAT_FUNCTION bool process_data::set_slaves(std::span<const slave_record> sla
     }
     is_together_ = false;
     good_cycles_ = 0;
-    next_look_ = 0;
+    next_polled_ = 0;
     if (fits_) fits_ = cut();
     next_ = plan_.frame_count();
     return fits_;
 }
 
 JAUSCAT_FUNCTION bool process_data::cut() noexcept {
-    auto reserved = options_.watch_ring || options_.watch_together ? ring_size : 0;
-    if (is_together_) reserved += look_count() * process_plan::watch_size(true);
-    return plan_.cut(asks_each(), reserved);
+    const auto ring = watches_ring() ? ring_size : 0;
+    return plan_.cut(polls_each(), ring + polled_count() * process_plan::watch_size(true));
 }
 
 JAUSCAT_FUNCTION void process_data::choose_watch() noexcept {
@@ -58,9 +57,9 @@ JAUSCAT_FUNCTION void process_data::choose_watch() noexcept {
     is_together_ = !is_together_;
     good_cycles_ = 0;
     ring_slaves_ = ring_.slaves;
-    if (is_together_ && cut()) return;
-    is_together_ = false;
-    static_cast<void>(cut()); // as it has fitted before
+    if (cut()) return;
+    is_together_ = options_.watch_together = false; // the polls do not fit into one frame
+    static_cast<void>(cut());                       // as before
 }
 
 JAUSCAT_FUNCTION bool process_data::all_run() const noexcept {
@@ -91,7 +90,7 @@ JAUSCAT_FUNCTION void process_data::begin_cycle() noexcept {
         is_complete_ = false;
     }
     forget_frames();
-    next_look_ = for_each_look([](const process_member&) {});
+    if (is_together_) next_polled_ = (next_polled_ + polled_count()) % plan_.member_count();
     if (options_.watch_slaves && options_.watch_together) choose_watch();
     is_ring_running_ = false;
     is_each_certain_ = true;
@@ -166,13 +165,13 @@ JAUSCAT_FUNCTION void process_data::forget_frames() noexcept {
 
 JAUSCAT_FUNCTION bool process_data::has_filler(const process_frame& frame) const noexcept {
     const bool is_alone =
-        !has_ring(frame) && frame.parts == 1 && !plan_.part(frame.first_part).counters.no_lrw && !asks_each();
+        !has_ring(frame) && frame.parts == 1 && !plan_.part(frame.first_part).counters.no_lrw && !polls_each();
     return cycle_ > 0xFF && is_alone &&
            frame.size + datagram_overhead + process_plan::filler_size <= max_datagrams_size;
 }
 
 JAUSCAT_FUNCTION bool process_data::has_ring(const process_frame& frame) const noexcept {
-    return (options_.watch_ring || options_.watch_together) && frame.first_member == 0;
+    return watches_ring() && frame.first_member == 0;
 }
 
 JAUSCAT_FUNCTION bool process_data::begins_as_ours(const frame_view& frame) noexcept {
@@ -233,13 +232,13 @@ JAUSCAT_FUNCTION void process_data::take(process_frame& frame, const frame_view&
         for (const auto last = member + part.members; member != last; ++member) {
             auto& each = plan_.member(member);
             bool is_open = !is_together_ || is_ring_running_;
-            if (asks_each()) is_open = watch(each, is_exchanged, frame.sent_at, watched);
+            if (polls_each()) is_open = watch(each, is_exchanged, frame.sent_at, watched);
             if (!is_open || !is_exchanged) continue;
             take_inputs(each.place, back.subspan(each.place.output_address - part.address));
             if (is_together_) set_running(each, frame.sent_at);
         }
     }
-    for (; asks_each() && member != end; ++member) watch(plan_.member(member), true, frame.sent_at, watched);
+    for (; polls_each() && member != end; ++member) watch(plan_.member(member), true, frame.sent_at, watched);
     if (!is_together_ && has_ring(frame)) take_ring(frame, *watched);
     if (++returned_ != plan_.frame_count()) return;
     is_complete_ = is_counting_complete_;
@@ -255,8 +254,8 @@ JAUSCAT_FUNCTION void process_data::take_together(const process_frame& frame, fr
     take_ring(frame, *next++);
     is_ring_running_ = ring_.slaves == ring_slaves_ && is_running(ring_.all);
     for (std::size_t i = 0; i != plan_.member_count(); ++i) plan_.member(i).status.reply_waiting = false;
-    for_each_look([&](process_member& each) {
-        const bool is_there = ask(each, next) == 1;
+    for_each_polled([&](process_member& each) {
+        const bool is_there = take_poll(each, next) == 1;
         is_ring_running_ = is_ring_running_ && is_there && is_running(each.status.al);
     });
     for (std::size_t i = 0; is_ring_running_ && i != plan_.member_count(); ++i)
@@ -274,7 +273,7 @@ JAUSCAT_FUNCTION bool process_data::is_running(const al_status& al) noexcept {
     return al.state == al_state::op && !al.error;
 }
 
-JAUSCAT_FUNCTION std::uint16_t process_data::ask(process_member& each, frame_view::iterator& next) noexcept {
+JAUSCAT_FUNCTION std::uint16_t process_data::take_poll(process_member& each, frame_view::iterator& next) noexcept {
     const auto state = *next++;
     if (state.working_counter == 1) each.status.al = state.value(esc_registers::al_status);
     each.status.reply_waiting = false;
@@ -315,7 +314,7 @@ JAUSCAT_FUNCTION bool process_data::watch(process_member& each, bool is_exchange
                                           frame_view::iterator& next) noexcept {
     auto& status = each.status;
     status.last_frame = sent_at;
-    const auto answers = ask(each, next);
+    const auto answers = take_poll(each, next);
     status.condition = condition_of(answers, status.al.state, is_exchanged);
     if (status.condition == slave_condition::running) status.last_running = status.last_frame;
     const bool is_open = status.al.state == al_state::op || status.al.state == al_state::safe_op;
