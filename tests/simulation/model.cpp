@@ -22,6 +22,14 @@ std::string text(primary_status_code state) {
     const auto i = static_cast<std::size_t>(state);
     return i < names.size() ? names[i] : "state " + std::to_string(i);
 }
+bool is_answer_to(const jaus::header& answer, const jaus::header& head) {
+    return head.source == answer.destination && head.command_code == answer.command_code &&
+           head.sequence_number == answer.sequence_number;
+}
+bool is_answer_to(const jaus::header& answer, const sent_message& sent) {
+    return is_answer_to(answer,
+                        {.command_code = sent.code, .source = sent.source, .sequence_number = sent.sequence_number});
+}
 std::string in_ms(time t) { return std::to_string(t / std::chrono::milliseconds{1}) + " ms"; }
 
 } // namespace
@@ -216,7 +224,10 @@ void model::arrives(std::uint8_t which, std::uint32_t message, const jaus::heade
     a.was_repeat = sent != nullptr && sent->done;
     if (sent != nullptr) sent->was_refused = false;
     if (sent != nullptr && sent->arrived_at == time{}) sent->arrived_at = world_.now();
-    if (a.controller && senders_[*a.controller].id == head.source) a.controller_heard = world_.now();
+    // A large data set may have waited in its sender's node, which also asks for heartbeats by itself.
+    const bool is_life =
+        head.command_code != large_code && head.command_code != jaus::command_code_of<jaus::query_heartbeat_pulse>;
+    if (is_life && a.controller && senders_[*a.controller].id == head.source) a.controller_heard = world_.now();
     world_.tell({.what = deed::gets,
                  .who = a.number,
                  .whom = sent != nullptr ? senders_[sent->sender].program->number() : std::uint8_t{},
@@ -244,14 +255,17 @@ void model::answers(std::uint8_t which, bytes message) {
         if (head.command_code == jaus::command_code_of<jaus::confirm_component_control>) confirmed(a, head, m.body);
         if (head.command_code == jaus::command_code_of<jaus::reject_component_control>) {
             const auto to = account_of(head.destination);
-            if (to && a.controller == to) a.controller.reset();
+            if (to && a.controller == to) {
+                // A bridge rejects it for its slaves as well, whatever its state.
+                if (a.wire == nullptr) check_control_is_kept(a);
+                a.controller.reset();
+            }
         }
         return reported(a, head, m.body);
     }
     check_asked_for(a, head);
     const bool ack = head.ack_nak == jaus::ack_nak::ack;
-    if (a.current != 0 && head.destination == a.head.source && head.command_code == a.head.command_code &&
-        head.sequence_number == a.head.sequence_number) {
+    if (a.current != 0 && is_answer_to(head, a.head)) {
         (ack ? a.acknowledged : a.refused) = true;
         return;
     }
@@ -261,16 +275,11 @@ void model::answers(std::uint8_t which, bytes message) {
 // By the message that is being handled, or by one that has arrived.
 void model::check_asked_for(const actuator_account& a, const jaus::header& answer) {
     if (answer.command_code >= 0x2000) return; // not followed
-    const auto is_asked_by = [&](const jaus::header& head) {
-        return head.ack_nak == jaus::ack_nak::request && head.source == answer.destination &&
-               head.command_code == answer.command_code && head.sequence_number == answer.sequence_number;
-    };
     world_.compares(comparison::asked_for);
-    const bool is_asked = is_asked_by(a.head) || std::ranges::any_of(a.arrived, [&](std::uint32_t number) {
+    const bool is_current = a.head.ack_nak == jaus::ack_nak::request && is_answer_to(answer, a.head);
+    const bool is_asked = is_current || std::ranges::any_of(a.arrived, [&](std::uint32_t number) {
                               const auto* sent = find(number);
-                              return sent != nullptr && sent->source == answer.destination &&
-                                     sent->code == answer.command_code &&
-                                     sent->sequence_number == answer.sequence_number;
+                              return sent != nullptr && is_answer_to(answer, *sent);
                           });
     if (!is_asked)
         breaks(contract::s1, a, 0, "an acknowledgement or a refusal that somebody asked for",
@@ -286,8 +295,7 @@ void model::later_acknowledged(actuator_account& a, const jaus::header& head) {
     for (const bool takes_refused : {false, true}) {
         for (auto number = a.arrived.rbegin(); number != a.arrived.rend(); ++number) {
             const auto* sent = find(*number);
-            if (sent == nullptr || sent->source != head.destination || sent->code != head.command_code ||
-                sent->sequence_number != head.sequence_number ||
+            if (sent == nullptr || !is_answer_to(head, *sent) ||
                 (!takes_refused && sent->was_refused && !sent->done && sent->sequence_number == 0))
                 continue;
             if (latest == 0) latest = sent->number;
@@ -603,7 +611,7 @@ void model::hears_lost(std::uint8_t which, const jaus::address& who) {
     const bool is_of_controller = a.controller && senders_[*a.controller].id.subsystem == who.subsystem;
     if (is_of_controller) a.controller_gone = world_.now();
     world_.tell({.what = deed::gives_up,
-                 .who = actuators_[which].number,
+                 .who = a.number,
                  .value = std::uint32_t{who.subsystem} << 24U | std::uint32_t{who.node} << 16U |
                           std::uint32_t{who.component} << 8U | who.instance});
 }
@@ -621,10 +629,7 @@ void model::controlled(std::uint8_t which, const std::optional<jaus::address>& n
                  .whom = who ? senders_[*who].program->number() : std::uint8_t{},
                  .message = a.current});
     a.controlled_since = world_.now();
-    if (now) {
-        a.controller_heard = world_.now();
-        return;
-    }
+    if (now) return;
     check_control_is_kept(a);
     const auto* cause = find(a.current);
     const bool is_released = cause != nullptr && cause->code == jaus::command_code_of<jaus::release_component_control>;
@@ -639,15 +644,18 @@ void model::confirmed(actuator_account& a, const jaus::header& head, bytes body)
     const auto to = account_of(head.destination);
     if (!to || !wire::decode(m, body) || m.response_code != jaus::component_control_response::control_accepted) return;
     a.controller = *to;
+    a.controller_heard = world_.now();
 }
 
-// A controller whose messages come keeps control until it releases it, or the component rejects it or confirms another.
+// A controller whose messages come keeps control until it releases it, the component confirms another or fails.
 void model::check_control_is_kept(const actuator_account& a) {
-    if (!a.controller) return; // it was told
+    using enum primary_status_code;
+    if (!a.controller || a.state == failure || a.state == primary_status_code::shutdown) return;
     const auto* cause = find(a.current);
-    if (cause != nullptr && cause->code == jaus::command_code_of<jaus::release_component_control> &&
-        cause->sender == *a.controller)
-        return;
+    const auto is = [&](std::uint16_t code) { return cause != nullptr && cause->code == code; };
+    const bool is_own = cause != nullptr && cause->sender == *a.controller;
+    if (is_own && is(jaus::command_code_of<jaus::release_component_control>)) return;
+    if (!is_own && is(jaus::command_code_of<jaus::request_component_control>)) return; // taken over
     world_.compares(comparison::control_kept);
     const time jumped = a.program->jumped_at();
     if (jumped > a.controller_heard || world_.now() - a.controller_heard >= a.control_timeout) return;
@@ -830,13 +838,13 @@ void model::check_axis(const actuator_account& a, const axis_account& axis) {
 // A slave by mailbox gets each stop order that its component owes it, whatever it refuses in between.
 void model::check_told(actuator_account& a) {
     const auto* const arm = arm_of(a);
-    const bool owes = a.state == primary_status_code::emergency || a.state == primary_status_code::standby ||
-                      a.state == primary_status_code::shutdown;
     if (arm == nullptr) return;
     const auto& slave = (*a.wire)[a.axes.front().slave];
     if (slave.frozen || slave.state_is_unknown || arm->is_aborting() || a.wire->trouble_of(a.axes.front().slave) ||
         !a.program->running())
         a.troubled_at = world_.now();
+    const bool owes = a.state == primary_status_code::emergency || a.state == primary_status_code::standby ||
+                      a.state == primary_status_code::shutdown;
     if (!owes || a.troubled_at == world_.now()) return;
     // A slave that has come back is brought up first; one that refuses is told again after a pause that grows.
     constexpr time bring_up = std::chrono::seconds{3};
@@ -875,7 +883,7 @@ void model::check_ready(const actuator_account& a, time since) {
 // A set of which no packet was lost or late arrives. One without acknowledgements may be given up for the next one.
 void model::check_large(const sender_account& account) {
     for (const auto& one : account.large) {
-        constexpr time long_enough = std::chrono::seconds{8}, before = std::chrono::seconds{4};
+        constexpr time long_enough = std::chrono::seconds{4}, before = std::chrono::seconds{1};
         const time age = world_.now() - one.at;
         if (!one.wants_acknowledgement || one.life != account.program->life() || age < long_enough ||
             age > long_enough + std::chrono::seconds{1})

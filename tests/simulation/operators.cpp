@@ -215,6 +215,7 @@ void foreign_operator::boot() {
     number_ = static_cast<std::uint16_t>(begins_as_before ? number_ - random_.below(20) : random_.next());
     waiting_ = {};
     controls_ = holds_emergency_ = false;
+    renews_ = random_.below(2) == 0;
     renew_at_ = time::max();
     pulse_at_ = local();
 }
@@ -239,7 +240,7 @@ void foreign_operator::receive(const datagram& one) {
         jaus::confirm_component_control answer{};
         controls_ =
             wire::decode(answer, m.body) && answer.response_code == jaus::component_control_response::control_accepted;
-        renew_at_ = controls_ ? local() + milliseconds{150} : time::max();
+        renew_at_ = controls_ && renews_ ? local() + milliseconds{150} : time::max();
         return;
     }
     case jaus::command_code_of<jaus::reject_component_control>:

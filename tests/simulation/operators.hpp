@@ -120,6 +120,7 @@ class foreign_operator final : public process {
     std::uint16_t number_{};
     waiting_message waiting_{};
     bool controls_{}, holds_emergency_{};
+    bool renews_{}; ///< it requests control again and again; if not, its messages keep it
     std::uint8_t authority_{};
     time renew_at_{}, pulse_at_{};
 };

@@ -64,9 +64,9 @@ void ring::try_later(fault kind) {
 }
 
 void ring::tell(std::size_t place, ring_deed what, std::uint32_t value) {
-    using enum ring_deed;
-    if (what == frame_lost || what == ring_deed::frame_delayed || what == frame_doubled || what == frame_damaged)
-        frames_disturbed_at_ = world_.now();
+    constexpr std::array of_frames{ring_deed::frame_lost, ring_deed::frame_delayed, ring_deed::frame_doubled,
+                                   ring_deed::frame_damaged};
+    if (std::ranges::find(of_frames, what) != of_frames.end()) frames_disturbed_at_ = world_.now();
     world_.tell(
         {.what = deed::ring, .who = places_[place].number, .number = static_cast<std::uint16_t>(what), .value = value});
 }

@@ -22,7 +22,7 @@ enum class system_kind : std::uint8_t {
     drives,  ///< a bridge with arms of 1 to 8 joints: up to 8 drives in a ring
     robot,   ///< a bridge with all of these in one ring
     clocks,  ///< a bridge with arms of drives that have SYNC signals of distributed clocks
-    joints,  ///< a joint with limits behind a component, without a network: its motor is judged; never by `any`
+    joints,  ///< a joint with limits behind a component, without a network: its motor is judged
 };
 inline constexpr unsigned system_count = 8; ///< without `any`
 [[nodiscard]] std::string_view name_of(system_kind kind);
