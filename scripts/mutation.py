@@ -329,10 +329,9 @@ def parse(tree, headers, options=()):
 
 
 def files_of(tree, module, folder="include/jauscat"):
-    """Headers and bodies of a module, without those of modules in its subfolders."""
+    """Headers and bodies in the folder of a module."""
     top = pathlib.Path(tree) / folder / module
-    found = [path for path in top.rglob("*.[hi]pp")]
-    return sorted(str(path.relative_to(tree)) for path in found)
+    return sorted(str(path.relative_to(tree)) for path in top.rglob("*.[hi]pp"))
 
 
 def find(tree, module, folder="include/jauscat"):
