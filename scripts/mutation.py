@@ -133,7 +133,8 @@ class finder:
             variable = declared[0]
             name = variable.spelling or next((each.spelling for each in variable.get_children()), "")
             start, end = variable.extent.start.offset, variable.extent.end.offset
-            if re.fullmatch(r"\w+", name):
+            is_bool = variable.type.get_canonical().kind == TypeKind.BOOL  # its value is negated
+            if re.fullmatch(r"\w+", name) and not is_bool:
                 self.add("condition negated", start, end, f"{self.text_of(variable)} -> ! of it", "declaration", name)
         elif inside and inside[-1].kind not in (kind.VAR_DECL, kind.DECL_STMT):
             self.negate(inside[-1])
