@@ -1,4 +1,5 @@
-// The switch of mutants at run time. scripts/mutants copies this header into the tree that it mutates; no other code includes it.
+// The switch of mutants at run time. scripts/mutants copies this header into the tree that it mutates; no other code
+// includes it.
 #pragma once
 #include <cstdio>
 #include <cstdlib>
@@ -28,8 +29,8 @@ inline void write_record() {
     std::fclose(file);
 }
 
-/// JAUSCAT_MUTANT=NUMBER switches one mutant on. JAUSCAT_MUTANT_RECORD=FILE switches none on, and appends the numbers of
-/// those that the program has reached to FILE when it ends.
+/// JAUSCAT_MUTANT=NUMBER switches one mutant on. JAUSCAT_MUTANT_RECORD=FILE switches none on, and appends the numbers
+/// of those that the program has reached to FILE when it ends.
 inline bool prepare() {
     if (const char* const number = std::getenv("JAUSCAT_MUTANT")) states[std::strtoul(number, nullptr, 10) % most] = on;
     record_file = std::getenv("JAUSCAT_MUTANT_RECORD");

@@ -22,37 +22,37 @@ except ImportError as problem:
 unchanged = "100 100 2 8 12 -1 7 3 2 4\n"
 # Each mutant with what sample.cpp prints.
 expected = {
-    "16: comparison shifted: value < limit -> value <= limit": "110 100 2 8 12 -1 7 3 2 4\n",
-    "16: return exchanged: return value < limit -> return !(value < limit)": "011 100 2 8 12 -1 7 3 2 4\n",
-    "20: return exchanged: return a.x == b.x && a.y == b.y -> return !(a.x == b.x && a.y == b.y)": "100 011 2 8 12 -1 7 3 2 4\n",
-    "20: comparison shifted: a.x == b.x -> a.x != b.x": "100 001 2 8 12 -1 7 3 2 4\n",
-    "20: operand left out: a.x == b.x -> left out of &&": "100 101 2 8 12 -1 7 3 2 4\n",
-    "20: comparison shifted: a.y == b.y -> a.y != b.y": "100 010 2 8 12 -1 7 3 2 4\n",
-    "20: operand left out: a.y == b.y -> left out of &&": "100 110 2 8 12 -1 7 3 2 4\n",
-    "24: return exchanged: return a - b -> return {}": "100 100 0 8 12 -1 7 3 2 4\n",
-    "28: return exchanged: return difference(a, b) -> return {}": "100 100 0 8 12 -1 7 3 2 4\n",
-    "28: arguments swapped: difference(a, b) -> difference(b, a)": "100 100 -2 8 12 -1 7 3 2 4\n",
-    "32: comparison shifted: given == colour::red -> given != colour::red": "100 100 2 8 21 -1 7 3 2 4\n",
-    "32: constant replaced: colour::red -> colour::green": "100 100 2 8 21 -1 7 3 2 4\n",
-    "32: constant replaced: colour::green -> colour::blue": "100 100 2 8 22 -1 7 3 2 4\n",
-    "33: constant replaced: colour::blue -> colour::red": "100 100 2 8 10 -1 7 3 2 4\n",
-    "38: statement left out: result += value; -> left out": "100 100 2 4 12 -1 7 3 2 4\n",
-    "39: return exchanged: return result -> return {}": "100 100 2 0 12 -1 7 3 2 4\n",
-    "44: comparison shifted: *at > 2 -> *at >= 2": "100 100 2 8 12 -1 2 3 2 4\n",
-    "44: condition negated: *at > 2 -> !(*at > 2)": "100 100 2 8 12 1 2 -1 2 4\n",
-    "44: constant replaced: 2 -> 2 + 1": "100 100 2 8 12 -1 7 -1 2 4\n",
-    "44: return exchanged: return result -> return {}": "100 100 2 8 12 -1 7 -1 2 4\n",
-    "45: comparison shifted: value % 2 != 0 -> value % 2 == 0": "100 100 2 8 12 7 -1 3 2 4\n",
-    "45: constant replaced: 2 -> 2 + 1": "100 100 2 8 12 -1 -1 3 2 4\n",
-    "45: constant replaced: 0 -> 0 + 1": "100 100 2 8 12 7 -1 3 2 4\n",
-    "46: return exchanged: return 7 -> return {}": "100 100 2 8 12 -1 -1 3 2 4\n",
-    "46: constant replaced: 7 -> 7 + 1": "100 100 2 8 12 -1 8 3 2 4\n",
-    "59: return exchanged: return values.size() -> return {}": "100 100 2 8 12 -1 7 3 2 0\n",
-    "61: return exchanged: return sizeof(int[2]) -> return {}": unchanged,  # never reached
+    "15: comparison shifted: value < limit -> value <= limit": "110 100 2 8 12 -1 7 3 2 4\n",
+    "15: return exchanged: return value < limit -> return !(value < limit)": "011 100 2 8 12 -1 7 3 2 4\n",
+    "17: return exchanged: return a.x == b.x && a.y == b.y -> return !(a.x == b.x && a.y == b.y)": "100 011 2 8 12 -1 7 3 2 4\n",
+    "17: comparison shifted: a.x == b.x -> a.x != b.x": "100 001 2 8 12 -1 7 3 2 4\n",
+    "17: operand left out: a.x == b.x -> left out of &&": "100 101 2 8 12 -1 7 3 2 4\n",
+    "17: comparison shifted: a.y == b.y -> a.y != b.y": "100 010 2 8 12 -1 7 3 2 4\n",
+    "17: operand left out: a.y == b.y -> left out of &&": "100 110 2 8 12 -1 7 3 2 4\n",
+    "19: return exchanged: return a - b -> return {}": "100 100 0 8 12 -1 7 3 2 4\n",
+    "21: return exchanged: return difference(a, b) -> return {}": "100 100 0 8 12 -1 7 3 2 4\n",
+    "21: arguments swapped: difference(a, b) -> difference(b, a)": "100 100 -2 8 12 -1 7 3 2 4\n",
+    "24: comparison shifted: given == colour::red -> given != colour::red": "100 100 2 8 21 -1 7 3 2 4\n",
+    "24: constant replaced: colour::red -> colour::green": "100 100 2 8 21 -1 7 3 2 4\n",
+    "24: constant replaced: colour::green -> colour::blue": "100 100 2 8 22 -1 7 3 2 4\n",
+    "25: constant replaced: colour::blue -> colour::red": "100 100 2 8 10 -1 7 3 2 4\n",
+    "30: statement left out: result += value; -> left out": "100 100 2 4 12 -1 7 3 2 4\n",
+    "31: return exchanged: return result -> return {}": "100 100 2 0 12 -1 7 3 2 4\n",
+    "36: comparison shifted: *at > 2 -> *at >= 2": "100 100 2 8 12 -1 2 3 2 4\n",
+    "36: condition negated: *at > 2 -> !(*at > 2)": "100 100 2 8 12 1 2 -1 2 4\n",
+    "36: constant replaced: 2 -> 2 + 1": "100 100 2 8 12 -1 7 -1 2 4\n",
+    "36: return exchanged: return result -> return {}": "100 100 2 8 12 -1 7 -1 2 4\n",
+    "37: comparison shifted: value % 2 != 0 -> value % 2 == 0": "100 100 2 8 12 7 -1 3 2 4\n",
+    "37: constant replaced: 2 -> 2 + 1": "100 100 2 8 12 -1 -1 3 2 4\n",
+    "37: constant replaced: 0 -> 0 + 1": "100 100 2 8 12 7 -1 3 2 4\n",
+    "38: return exchanged: return 7 -> return {}": "100 100 2 8 12 -1 -1 3 2 4\n",
+    "38: constant replaced: 7 -> 7 + 1": "100 100 2 8 12 -1 8 3 2 4\n",
+    "48: return exchanged: return values.size() -> return {}": "100 100 2 8 12 -1 7 3 2 0\n",
+    "50: return exchanged: return sizeof(int[2]) -> return {}": unchanged,  # never reached
 }
 never_reached = 1
 # Stands in a constant expression.
-refused = ["58: constant replaced: 3 -> 3 + 1"]
+refused = ["47: constant replaced: 3 -> 3 + 1"]
 
 
 def text(one):

@@ -12,21 +12,13 @@ struct point {
     int x{}, y{};
 };
 
-constexpr bool is_below(int value, int limit) {
-    return value < limit;
-}
+constexpr bool is_below(int value, int limit) { return value < limit; }
 
-constexpr bool equals(const point& a, const point& b) {
-    return a.x == b.x && a.y == b.y;
-}
+constexpr bool equals(const point& a, const point& b) { return a.x == b.x && a.y == b.y; }
 
-constexpr int difference(int a, int b) {
-    return a - b;
-}
+constexpr int difference(int a, int b) { return a - b; }
 
-constexpr int swapped(int a, int b) {
-    return difference(a, b);
-}
+constexpr int swapped(int a, int b) { return difference(a, b); }
 
 constexpr colour next(colour given) {
     if (given == colour::red) return colour::green;
@@ -48,11 +40,8 @@ constexpr std::optional<int> found(int value) {
 
 // Nothing of these can have a switch: constant expressions, types, defaults.
 static_assert(is_below(1, 2) && !is_below(2, 1));
-consteval int made_by_compiler(int value) {
-    return value < 1 ? 2 : 3;
-}
-template <std::size_t Size = 4>
-constexpr std::size_t size_of_array() {
+consteval int made_by_compiler(int value) { return value < 1 ? 2 : 3; }
+template <std::size_t Size = 4> constexpr std::size_t size_of_array() {
     constexpr std::size_t more = 1;
     if constexpr (Size > 3) {
         std::array<int, 3 + more> values{};
