@@ -28,7 +28,7 @@ class mutant:
     line: int
     kind: str
     change: str  # for readers, in one line
-    form: str  # "value", "statement", "return" or "declaration"
+    form: str  # "value", "condition", "cast TYPE", "statement", "return" or "declaration": how it is written
     text: str  # what replaces the range, or is inserted
     line_text: str = ""
     number: int = 0
@@ -102,7 +102,7 @@ class finder:
         elif what == kind.VAR_DECL:
             return self.mutate_variable(cursor, children)
         elif what in (kind.BINARY_OPERATOR, kind.CALL_EXPR):
-            self.mutate_operator(cursor, children)
+            self.mutate_operator(cursor)
             if what == kind.CALL_EXPR:
                 self.swap_arguments(cursor, parent)
         elif what in (kind.INTEGER_LITERAL, kind.FLOATING_LITERAL, kind.CXX_BOOL_LITERAL_EXPR, kind.DECL_REF_EXPR):
@@ -190,9 +190,10 @@ class finder:
             return
         text = self.text_of(cursor)
         negated = text[1:] if re.fullmatch(r"!\w+", text) else f"!({text})"
-        self.add("condition negated", cursor.extent.start.offset, cursor.extent.end.offset, f"{text} -> {negated}", "condition", negated)
+        self.add("condition negated", cursor.extent.start.offset, cursor.extent.end.offset, f"{text} -> {negated}", "condition",
+                 negated)
 
-    def mutate_operator(self, cursor, children):
+    def mutate_operator(self, cursor):
         found = self.operator_of(cursor)
         if found is None:
             return
@@ -213,16 +214,19 @@ class finder:
         if cursor.spelling.startswith("operator") or cursor.spelling in ("min", "max") or not self.is_here(cursor):
             return
         start, end = cursor.extent.start.offset, cursor.extent.end.offset
-        if self.text[start] == "{" or (parent is not None and parent.kind == kind.VAR_DECL and parent.location.offset == start):
+        is_variable = parent is not None and parent.kind == kind.VAR_DECL and parent.location.offset == start
+        if self.text[start] == "{" or is_variable:
             return
         arguments = [each for each in cursor.get_arguments() if each is not None and self.is_here(each)]
         for first, second in zip(arguments, arguments[1:]):
-            types = [each.type.get_canonical().spelling.replace("const ", "") for each in (self.plain(first), self.plain(second))]
-            a, b = (first.extent.start.offset, first.extent.end.offset), (second.extent.start.offset, second.extent.end.offset)
-            texts = self.text[a[0]:a[1]], self.text[b[0]:b[1]]
-            if types[0] != types[1] or types[0] in ("", "<dependent type>") or texts[0] == texts[1] or not start <= a[0] < a[1] <= b[0] < b[1] <= end:
+            types = [self.plain(each).type.get_canonical().spelling.replace("const ", "") for each in (first, second)]
+            texts = self.text_of(first), self.text_of(second)
+            a, b = first.extent, second.extent
+            is_in_order = start <= a.start.offset and a.end.offset <= b.start.offset and b.end.offset <= end
+            if types[0] != types[1] or types[0] in ("", "<dependent type>") or texts[0] == texts[1] or not is_in_order:
                 continue
-            text = self.text[start:a[0]] + texts[1] + self.text[a[1]:b[0]] + texts[0] + self.text[b[1]:end]
+            text = (self.text[start:a.start.offset] + texts[1] + self.text[a.end.offset:b.start.offset] + texts[0] +
+                    self.text[b.end.offset:end])
             self.add("arguments swapped", start, end, f"{self.text_of(cursor)} -> {text}", "value", text)
 
     def replace_constant(self, cursor, parent):
@@ -238,19 +242,19 @@ class finder:
             target = cursor.referenced
             if target.kind == kind.ENUM_CONSTANT_DECL:
                 new = self.other_enumerator(target, text)
-            elif (target.kind == kind.VAR_DECL and target.type.get_canonical().kind in integers and target.type.is_const_qualified() and
-                  target.semantic_parent.kind in (kind.NAMESPACE, kind.CLASS_DECL, kind.STRUCT_DECL) and re.fullmatch(r"[\w:]+", text)):
-                new = f"{text} + 1"
+            elif target.kind == kind.VAR_DECL and target.semantic_parent.kind in (kind.NAMESPACE, kind.CLASS_DECL, kind.STRUCT_DECL):
+                is_integer = target.type.get_canonical().kind in integers and target.type.is_const_qualified()
+                new = f"{text} + 1" if is_integer and re.fullmatch(r"[\w:]+", text) else None
         if new is None:
             return
         change = f"{text} -> {new}"
         # A value in braces must keep the type that it is converted to.
-        if parent is not None and parent.kind == kind.UNEXPOSED_EXPR and parent.extent == cursor.extent and cursor.kind != kind.CXX_BOOL_LITERAL_EXPR:
+        form = "value"
+        if parent is not None and parent.kind == kind.UNEXPOSED_EXPR and parent.extent == cursor.extent:
             wanted = parent.type.get_canonical()
-            if wanted.kind in arithmetic and target_is_arithmetic(cursor):
-                self.add("constant replaced", start, end, change, f"cast {wanted.spelling.replace('const ', '')}", new)
-                return
-        self.add("constant replaced", start, end, change, "value", new)
+            if wanted.kind in arithmetic and cursor.type.get_canonical().kind in arithmetic:
+                form = f"cast {wanted.spelling.replace('const ', '')}"
+        self.add("constant replaced", start, end, change, form, new)
 
     @staticmethod
     def other_enumerator(target, text):
@@ -275,11 +279,12 @@ class finder:
         if returned == TypeKind.BOOL:
             if not self.is_equality(value):
                 negated = text[1:] if re.fullmatch(r"!\w+", text) else f"!({text})"
-                self.add("return exchanged", value.extent.start.offset, value.extent.end.offset, f"return {text} -> return {negated}", "condition", negated)
+                self.add("return exchanged", value.extent.start.offset, value.extent.end.offset,
+                         f"return {text} -> return {negated}", "condition", negated)
             return
         if returned == TypeKind.VOID or text in ("{}", "nullptr", "std::nullopt", "*this"):
             return
-        if base.kind == kind.DECL_REF_EXPR and base.referenced is not None and base.referenced.kind == kind.ENUM_CONSTANT_DECL:
+        if base.kind == kind.DECL_REF_EXPR and base.referenced and base.referenced.kind == kind.ENUM_CONSTANT_DECL:
             return  # replaced as a constant
         nothing = f"decltype({text}){{}}" if in_lambda and text[0] != "{" else "{}"
         self.add("return exchanged", start, end, f"return {text} -> return {{}}", "return", f"return {nothing};")
@@ -290,7 +295,7 @@ class finder:
             return []
         if cursor.type.is_const_qualified() and not self.depends(cursor):
             return []  # a constant expression, which is never switched
-        if cursor.type.get_canonical().kind == TypeKind.BOOL and children and "=" in text and self.is_here(children[-1]) and children[-1].kind.is_expression():
+        if cursor.type.get_canonical().kind == TypeKind.BOOL and children and "=" in text and children[-1].kind.is_expression():
             self.negate(children[-1])
         return children
 
@@ -309,17 +314,13 @@ class finder:
 
     def leave_out(self, statements):
         for each in statements:
-            is_jump = each.kind in (kind.BREAK_STMT, kind.CONTINUE_STMT) or (each.kind == kind.RETURN_STMT and not list(each.get_children()))
+            is_jump = each.kind in (kind.BREAK_STMT, kind.CONTINUE_STMT, kind.RETURN_STMT) and not list(each.get_children())
             if not self.is_here(each) or not (is_jump or each.kind.is_expression()):
                 continue
             text, end = self.text_of(each), self.end_of_statement(each)
             if end is None or re.fullmatch(r"static_cast<void>\(\w+\)", text):
                 continue
             self.add("statement left out", each.extent.start.offset, end, f"{text}; -> left out", "statement", "")
-
-
-def target_is_arithmetic(cursor):
-    return cursor.type.get_canonical().kind in arithmetic
 
 
 def parse(tree, headers, options=()):
@@ -346,7 +347,7 @@ def find(tree, module, folder="include/jauscat"):
     finders = {name: finder(module, name, (pathlib.Path(tree) / name).read_bytes().decode("latin-1")) for name in names}
     for cursor in unit.cursor.get_children():
         place = cursor.location.file
-        name = place and str(pathlib.Path(place.name).resolve().relative_to(pathlib.Path(tree).resolve())) if place and place.name.startswith(str(tree)) else None
+        name = place.name.removeprefix(f"{tree}/") if place else None
         if name in finders:
             finders[name].walk(cursor, None, False, False)
     found = [each for name in names for each in finders[name].found.values()]
@@ -360,8 +361,8 @@ class rendered:
         self.pieces, self.source = [], text
         self.rejected = []
         ordered = sorted(mutants, key=lambda each: (each.start, -each.end, each.form != "return" and each.form != "statement"))
-        head = '#pragma GCC system_header\n#include <mutant_switch.hpp>\n'
-        self.put(text[:0] + head, None)
+        # Warnings of the compiler concern the code as it is written, not its mutants.
+        self.put("#pragma GCC system_header\n#include <mutant_switch.hpp>\n", None)
         self.range(0, len(text), ordered, None)
         self.text = "".join(piece for piece, _ in self.pieces)
         self.ends, total = [], 0

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""mutants_test.py COMPILER: scripts/mutation.py makes each kind of mutant of sample.hpp; each is built with all others, and switched alone.
+"""mutants_test.py COMPILER: scripts/mutation.py makes mutants of each kind of sample.hpp; all are built at once, and each is switched.
 
 Prints SKIPPED: and the reason where libclang is missing; with CI=true that is a failure.
 """
