@@ -51,6 +51,7 @@ class finder:
     def __init__(self, module, name, text):
         self.module, self.name, self.text = module, name, text
         self.found = {}
+        self.kept = set()  # where statements start that are not left out
         self.line_starts = [0] + [at.end() for at in re.finditer("\n", text)]
 
     def add(self, what, start, end, change, form, text):
@@ -89,6 +90,8 @@ class finder:
             children = children[1:] if what == kind.CASE_STMT else children
             self.leave_out(children)
         elif what == kind.COMPOUND_STMT:
+            if parent is not None and parent.kind == kind.SWITCH_STMT and children:
+                self.keep_last_break(children[-1])
             self.leave_out(children)
         elif what in loops or what == kind.CXX_FOR_RANGE_STMT:
             self.mutate_loop(cursor, children)
@@ -312,8 +315,17 @@ class finder:
         found = re.compile(r"\s*;").match(self.text, cursor.extent.end.offset)
         return found.end() if found else None
 
+    def keep_last_break(self, cursor):
+        """The last break of a switch changes nothing."""
+        while cursor.kind in (kind.CASE_STMT, kind.DEFAULT_STMT):
+            cursor = list(cursor.get_children())[-1]
+        if cursor.kind == kind.BREAK_STMT:
+            self.kept.add(cursor.extent.start.offset)
+
     def leave_out(self, statements):
         for each in statements:
+            if each.extent.start.offset in self.kept:
+                continue
             is_jump = each.kind in (kind.BREAK_STMT, kind.CONTINUE_STMT, kind.RETURN_STMT) and not list(each.get_children())
             if not self.is_here(each) or not (is_jump or each.kind.is_expression()):
                 continue
@@ -392,7 +404,7 @@ class rendered:
         is_it = f"::mutant_switch::is({one.number})"
         before, after = {
             "value": (f"({is_it} ? ({one.text}) : (", "))"),
-            "condition": (f"({is_it} ? ({one.text}) : static_cast<bool>(", "))"),
+            "condition": (f"({is_it} ? static_cast<bool>({one.text}) : static_cast<bool>(", "))"),
             "statement": (f"{{ if (!{is_it}) {{ ", " } }"),
             "return": (f"{{ if ({is_it}) {one.text} ", " }"),
             "declaration": ("", f"; ({is_it} ? !{one.text} : static_cast<bool>({one.text}))"),
