@@ -105,6 +105,9 @@ TEST_CASE("a message that is forgotten is not sent again, and has no outcome") {
     auto another = head;
     ++another.sequence_number;
     REQUIRE_FALSE(o.commands.forget(another));
+    another = head;
+    another.destination = other;
+    REQUIRE_FALSE(o.commands.forget(another));
     REQUIRE(o.commands.forget(head));
     REQUIRE_FALSE(o.commands.forget(head));
     REQUIRE(o.commands.waiting() == 0);
@@ -357,8 +360,10 @@ TEST_CASE("of a sender that numbers all messages 0, any command in between makes
     plain(0x0004); // Resume without acknowledgement
     REQUIRE(a.hear(0x0003, 0) == received::handed_on);
     REQUIRE(a.hear(0x0003, 0) == received::repeated);
-    plain(0x2002); // a query or a report changes nothing
+    plain(0x2000); // a query or a report changes nothing
+    plain(0x2002);
     plain(0x4202);
+    plain(0x5FFF);
     a.hear(0x2002, 0);
     REQUIRE(a.hear(0x0003, 0) == received::repeated);
     plain(0xD001);
@@ -468,12 +473,14 @@ TEST_CASE("a program restarted with the same numbers is obeyed as soon as that i
 
 TEST_CASE("what a restarted program has sent since is not forgotten when it is known to have restarted") {
     arm a;
-    REQUIRE(a.hear(0x0405, 10, 1, 0ms) == received::handed_on);
-    REQUIRE(a.hear(0x0405, 11, 1, 10ms) == received::handed_on);
-    REQUIRE(a.hear(0x0405, 9, 2, 100ms) == received::handed_on);  // it has restarted
-    REQUIRE(a.hear(0x0005, 10, 0, 120ms) == received::handed_on); // which shows from now on
-    REQUIRE(a.hear(0x0405, 9, 2, 155ms) == received::repeated);   // a copy that was late
-    REQUIRE(a.hear(0x0405, 11, 1, 160ms) == received::handed_on);
+    const auto number = GENERATE(as<std::uint16_t>{}, 10, 2); // also after 1, the first number of a program
+    const auto before = static_cast<std::uint16_t>(number - 1), after = static_cast<std::uint16_t>(number + 1);
+    REQUIRE(a.hear(0x0405, number, 1, 0ms) == received::handed_on);
+    REQUIRE(a.hear(0x0405, after, 1, 10ms) == received::handed_on);
+    REQUIRE(a.hear(0x0405, before, 2, 100ms) == received::handed_on); // it has restarted
+    REQUIRE(a.hear(0x0005, number, 0, 120ms) == received::handed_on); // which shows from now on
+    REQUIRE(a.hear(0x0405, before, 2, 155ms) == received::repeated);  // a copy that was late
+    REQUIRE(a.hear(0x0405, after, 1, 160ms) == received::handed_on);
 }
 
 TEST_CASE("a repeated Set Emergency and a repeated query are executed again") {

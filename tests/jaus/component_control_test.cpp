@@ -347,3 +347,35 @@ TEST_CASE("control with an interval of renewal below 0 is not renewed, as with 0
         CHECK_FALSE(held.next_event());
     }
 }
+
+TEST_CASE("only control that is requested or held is lost with its component") {
+    sent_messages sent;
+    std::vector<jaus::control_state> states;
+    const auto note = [&](jaus::control_state state) { states.push_back(state); };
+    jaus::held_control held{ocu, self, {}, note};
+    REQUIRE(held.target() == self);
+    const auto answered = [&](jaus::component_control_response response) {
+        held.ask(100, instant{0s}, sent.sink());
+        const auto confirmed = message({.destination = ocu, .source = self}, jaus::confirm_component_control{response});
+        const auto m = jaus::split(confirmed);
+        REQUIRE(held.on_message(m.header, m.body, instant{0s}, sent.sink()) == message_outcome::handled);
+    };
+    using state = jaus::control_state;
+    const auto expect = [&](const std::vector<state>& expected) {
+        REQUIRE(states == expected);
+        states.clear();
+    };
+    held.on_lost(self);
+    answered(control_not_accepted);
+    held.on_lost(self);
+    expect({state::asking, state::refused});
+    answered(control_accepted);
+    held.on_lost(other);
+    expect({state::asking, state::held});
+    held.on_lost({255, 255, self.node, self.subsystem});
+    expect({state::lost});
+    held.ask(100, instant{0s}, sent.sink());
+    held.release(sent.sink());
+    held.on_lost(self);
+    expect({state::asking, state::none});
+}
