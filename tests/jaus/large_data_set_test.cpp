@@ -316,6 +316,27 @@ TEST_CASE("packets that may belong to two data sets are not combined") {
     REQUIRE(r.whole == texts{"0a 0b 0c", "0a 02"});
 }
 
+TEST_CASE("a packet that ends one data set and continues another is of two") {
+    receiver r;
+    r.hear(data_flag::first, 0, "01");
+    r.hear(data_flag::middle, 1, "02");
+    REQUIRE(r.hear(data_flag::last, 1, "02") == reassembled::waiting);
+    REQUIRE(r.lost == std::vector<std::size_t>{2});
+    REQUIRE(r.hear(data_flag::middle, 1, "02") == reassembled::waiting);
+    REQUIRE(r.lost == std::vector<std::size_t>{2, 1});
+    REQUIRE(r.whole.empty());
+}
+
+TEST_CASE("a data set whose packet 0 is late begins with it") {
+    receiver r;
+    r.hear(data_flag::middle, 1, "02", 0us);
+    REQUIRE(r.hear(data_flag::first, 0, "01", 1500us) == reassembled::waiting);
+    REQUIRE(r.hear(data_flag::first, 0, "01", 3ms) == reassembled::repeated); // a copy: 1.5 ms after it
+    REQUIRE(r.lost.empty());
+    REQUIRE(r.hear(data_flag::last, 2, "03", 3ms) == reassembled::whole);
+    REQUIRE(r.whole == texts{"01 02 03"});
+}
+
 TEST_CASE("a last packet that requests acknowledgement is kept when it completes the data set") {
     receiver r;
     const auto hear = [&](data_flag flag, std::uint16_t number, const std::string& body) {
@@ -357,6 +378,22 @@ TEST_CASE("a data set with more bytes or packets than a place holds is dropped, 
     REQUIRE(r.lost == std::vector<std::size_t>{1, 4});
     REQUIRE(r.hear(data_flag::last, 1, "bbbbbbbb", 0ms, 1) == reassembled::whole);
     REQUIRE(r.whole == texts{"aa aa aa aa bb bb bb bb"});
+}
+
+TEST_CASE("a packet of more than 65535 bytes is too large for any memory") {
+    std::array<jaus::partial_data_set, 1> places{};
+    std::array<jaus::held_packet, 2> packets{};
+    std::vector<std::byte> memory(0x20000);
+    jaus::reassembler sets{places, packets, memory, 1s};
+    const auto hear = [&](std::size_t size) {
+        return sets.on_packet(
+            {.data_flag = data_flag::first}, std::vector<std::byte>(size), instant{0s}, [](const auto&...) {},
+            [](const auto&...) {});
+    };
+    REQUIRE(hear(0x10000) == reassembled::too_large);
+    REQUIRE(sets.places()[0].packets == 0);
+    REQUIRE(hear(0xFFFF) == reassembled::waiting);
+    REQUIRE(sets.places()[0].bytes == 0xFFFF);
 }
 
 TEST_CASE("without places nothing is stored") {
