@@ -70,6 +70,16 @@ TEST_CASE("an empty map finds nothing, and a map without memory is full") {
         REQUIRE(m.map.insert(make(1, 1, 1, 1), 1) == inserted::full);
         REQUIRE_FALSE(m.map.erase(make(1, 1, 1, 1)));
     }
+    REQUIRE(small_map{8}.map.longest_probe() == 0);
+}
+
+TEST_CASE("a map has none of the entries that its memory had before") {
+    small_map m{8};
+    REQUIRE(m.map.insert(make(1, 2, 0, 0), 1) == inserted::ok);
+    jaus::address_map<int> next{m.places};
+    REQUIRE(next.insert(make(1, 3, 0, 0), 2) == inserted::ok);
+    REQUIRE(next.find(make(1, 2, 33, 1)) == nullptr);
+    REQUIRE(next.find(make(1, 3, 33, 1))->value == 2);
 }
 
 TEST_CASE("a duplicate address is refused and keeps the first value") {

@@ -339,6 +339,17 @@ TEST_CASE(
     REQUIRE(n.configuration(jaus::query_field::subsystem_configuration) == lines{"2: 1.1 33.1 37.2"});
 }
 
+TEST_CASE("a node manager without a survey queries another node once, when it appears") {
+    node n;
+    jaus::node_manager once{make(1, 2), n.description, {n.places, n.list_memory, n.report}, {.survey = 0s}};
+    const jaus::header beat{.command_code = 0x4202, .destination = make(255, 255), .source = make(1, 5)};
+    for (int second = 0; second != 100; ++second) {
+        REQUIRE(once.on_message(beat, {}, instant{second * 1s}, n.out) == message_outcome::handled);
+        once.on_time(instant{second * 1s}, n.out);
+    }
+    REQUIRE(std::ranges::count(n.out.take(), "2B01 1.2.1.1 to 1.5.1.1") == 1);
+}
+
 TEST_CASE("only a known node manager of the subsystem adds components, and only its own") {
     node n;
     const std::array<jaus::configured_component, 1> theirs{{{77, 1}}};
@@ -353,6 +364,11 @@ TEST_CASE("only a known node manager of the subsystem adds components, and only 
     REQUIRE(n.hear(make(1, 6), report) == message_outcome::handled); // says nothing of its own node
     REQUIRE(n.configuration(jaus::query_field::subsystem_configuration) ==
             lines{"2: 1.1 33.1 37.2", "5: 1.1", "6: 1.1"});
+    // Nor does one that claims to be the own node manager, also where that is kept as alive.
+    REQUIRE(n.manager.keep(make(1, 2)));
+    const std::array<jaus::configured_node, 1> own{{{2, theirs}}};
+    REQUIRE(n.hear(make(1, 2), jaus::report_configuration{own}) == message_outcome::refused);
+    REQUIRE(n.configuration(jaus::query_field::node_configuration) == lines{"2: 1.1 33.1 37.2"});
 }
 
 TEST_CASE("the subsystem list has each subsystem once, by a node manager if one is known") {

@@ -158,6 +158,20 @@ TEST_CASE("a multicast group replaces unicast routes, except for peers outside o
     n.hear(make(255, 255, 1, 1), own, jaus::here).expect(routed::ok, "c0 h4 h6 h7 ");
     n.hear(make(255, 255, 1, 1), neighbour, 1).expect(routed::ok, "c0 h4 h6 ");
     n.hear(make(255, 255, 1, 1), stranger, 3).expect(routed::ok, "c0 h7 ");
+    // From a node that is known by the group alone: the other nodes have received it, too.
+    n.hear(make(255, 255, 1, 1), make(1, 9, 33, 1), 7).expect(routed::ok, "c0 h4 h6 ");
+}
+
+TEST_CASE("a multicast group of one component gets messages to that component only") {
+    node n{2};
+    REQUIRE(n.table.add_route(make(255, 255, 33, 0), 6) == added::ok);
+    n.hear(make(255, 255, 33, 1), own, jaus::here).expect(routed::ok, "h1 h2 h6 ");
+    n.hear(make(255, 255, 255, 255), own, jaus::here).expect(routed::ok, "c0 h0 h1 h2 h3 h4 ");
+}
+
+TEST_CASE("a broadcast by way of a primary without a route is reported, and delivered in the node") {
+    node n{9};
+    n.hear(make(255, 255, 255, 255), own, jaus::here).expect(routed::no_route, "c0 h0 ");
 }
 
 TEST_CASE("a broadcast ends among several nodes that are all configured as primary") {
