@@ -3,6 +3,7 @@
 #include "jaus/messages.hpp"
 #include "support/hex.hpp"
 #include "support/instant.hpp"
+#include <jauscat/jaus/events/core_reports.hpp>
 #include <jauscat/jaus/events/event_consumer.hpp>
 #include <jauscat/jaus/events/events.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
@@ -365,6 +366,37 @@ TEST_CASE("changes faster than the rate are held back, and the newest is sent") 
     REQUIRE(q.sent.size() == 1);
 }
 
+TEST_CASE("changes of a report without a maximum rate are all sent") {
+    provider p;
+    p.reports[0].max_rate = 0;
+    p.create({.message_code = velocity, .event_type = event_type::every_change});
+    for (const double x : {1, 2, 3}) REQUIRE(p.drive(x, 1s) == 1);
+}
+
+TEST_CASE("without a report when the event is set up, the first report of a limited event counts as a change") {
+    struct {
+        bool is_there{};
+        std::optional<std::size_t> operator()(std::uint16_t, std::span<const std::byte>, std::span<std::byte> body) {
+            const auto old = velocity_body(7);
+            std::ranges::copy(old, body.begin());
+            std::optional<std::size_t> size{old.size()};
+            if (!is_there) size.reset();
+            return size;
+        }
+    } filler;
+    for (const bool is_there : {true, false}) {
+        provider p;
+        filler.is_there = is_there;
+        p.events = {sensor, p.reports, filler, p.memory};
+        p.create({.message_code = velocity,
+                  .event_type = event_type::every_change,
+                  .event_boundary = event_boundary::strictly_greater_than,
+                  .limit_data_field = std::uint8_t{2},
+                  .lower_limit = real(5)});
+        REQUIRE(p.drive(7, 1s) == (is_there ? 0 : 1));
+    }
+}
+
 TEST_CASE("a minimum rate makes events without changes") {
     provider p;
     p.create({.message_code = velocity, .event_type = event_type::every_change, .requested_minimum_periodic_rate = 1});
@@ -502,6 +534,15 @@ TEST_CASE("a repeated request creates one event") {
     REQUIRE(p.events.on_lost({255, 255, viewer.node, viewer.subsystem}) == 1); // its node
 }
 
+TEST_CASE("the events of all requesters that are lost are counted, and free places are not") {
+    provider p;
+    p.create({.message_code = velocity, .event_type = event_type::every_change});
+    REQUIRE(p.events.on_lost({255, 255, 255, 3}) == 0);
+    REQUIRE(p.events.on_lost({255, 255, 255, 255}) == 1);
+    REQUIRE(p.drive(1, 1s) == 0);
+    REQUIRE(p.events.on_lost({255, 255, 255, 255}) == 0);
+}
+
 TEST_CASE("event IDs are not reused at once") {
     provider p;
     for (int i = 0; i != 600; ++i) {
@@ -555,6 +596,23 @@ TEST_CASE("a report that exceeds the buffer is skipped") {
             message_outcome::handled);
     none.changed(velocity, {}, instant{1s}, p.sent.sink());
     REQUIRE(p.sent.size() == 1);
+}
+
+TEST_CASE("a core report is written if it fits the buffer, also exactly") {
+    const auto answer = [](const jaus::header& query, std::span<const std::byte>, time_point,
+                           jaus::message_sink out) -> message_outcome {
+        out(jauscat::test::message(jaus::answer_to(query, sensor), jaus::report_component_authority{9}));
+        return message_outcome::handled;
+    };
+    const auto* const report = jaus::core_report_of(0x4001);
+    REQUIRE(report != nullptr);
+    std::array<std::byte, 1> body{};
+    const auto write = [&](std::span<std::byte> buffer) {
+        return jaus::write_core_report(*report, sensor, std::span<const std::byte>{}, buffer, instant{0s}, answer);
+    };
+    REQUIRE(write(body) == std::size_t{1});
+    REQUIRE(body[0] == std::byte{9});
+    REQUIRE(write(std::span{body}.first(0)) == std::nullopt);
 }
 
 namespace {
@@ -691,6 +749,36 @@ TEST_CASE("a consumer abandons requests that are rejected or never answered") {
     large.query_message_body = wire::blob{std::span<const std::byte>{query}.first(24)};
     REQUIRE(c.events.create(sensor, large, instant{0s}, c.sent.sink()) == 0);
     REQUIRE(c.first().request.size() == jaus::max_create_event_size);
+}
+
+TEST_CASE("the place of a cancelled event is kept only while the provider may have it") {
+    consumer c;
+    const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
+    REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()) == 0);
+    c.events.cancel(0, instant{0s}, c.sent.sink());
+    REQUIRE(c.first().state == requested_state::cancelling);
+    REQUIRE(c.sent.size() == 2); // the request again: its answer has the ID, by which the event is then cancelled
+    REQUIRE(c.sent[1] == c.sent[0]);
+    c.hear(confirmed("00 01 04 44 07 00"));
+    REQUIRE(c.hear(confirmed("00 02 04 44 07 00")).what == event_notice::cancelled);
+
+    REQUIRE(c.events.create(sensor, wanted, instant{1s}, c.sent.sink()) == 0);
+    c.hear(from_hex("06 02 f4 01 01 28 01 01 01 2a 01 02 05 00 00 00 01 03 03 6e 6f"));
+    REQUIRE(c.first().state == requested_state::rejected);
+    c.sent.clear();
+    c.events.cancel(0, instant{1s}, c.sent.sink());
+    REQUIRE(c.first().state == requested_state::free);
+    REQUIRE(c.sent.empty());
+}
+
+TEST_CASE("a periodic event that is confirmed without a rate is watched as one without a period") {
+    consumer c;
+    REQUIRE(c.events.create(
+        sensor, {.message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 10},
+        instant{0s}, c.sent.sink()));
+    REQUIRE(c.hear(confirmed("00 01 04 44 07 00")).what == event_notice::confirmed);
+    REQUIRE(c.first().rate == 0);
+    REQUIRE(c.events.next_event() == instant{5s});
 }
 
 TEST_CASE("an event confirmed after it was abandoned is cancelled") {
@@ -981,6 +1069,26 @@ TEST_CASE("a silent provider of change events is detected, and queried until it 
     REQUIRE(c.first().event_id == 2);
     anew.drive(2, last + 13s);
     REQUIRE(converse(anew, c, last + 13s) == 1);
+}
+
+TEST_CASE("a list of events answers only the query for an event that it has") {
+    consumer c;
+    const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
+    const auto listed = [&](std::uint16_t code) {
+        const std::array<jaus::reported_event, 1> all{{{.message_code = code, .event_id = 7}}};
+        c.hear(jauscat::test::message({.destination = viewer, .source = sensor}, jaus::report_events{all}), 5s);
+    };
+    REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()));
+    c.hear(confirmed("00 01 04 44 07 00"));
+    c.events.on_time(instant{5s}, c.sent.sink());
+    listed(devices); // the same ID, another report
+    REQUIRE(c.first().requests == 1);
+    listed(velocity);
+    REQUIRE(c.first().requests == 0);
+
+    REQUIRE(c.events.update(0, wanted, instant{5s}, c.sent.sink()));
+    listed(velocity); // says nothing of the update
+    REQUIRE(c.first().state == requested_state::updating);
 }
 
 TEST_CASE("a restarted provider without the event gets the request again") {

@@ -456,6 +456,33 @@ TEST_CASE("a connection confirmed after it was abandoned is terminated") {
     REQUIRE(c.sent[1] == c.sent[0]);
 }
 
+TEST_CASE("a connection that is ended before its confirmation is terminated when that arrives") {
+    consumer c;
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
+    c.sent.clear();
+    c.service.end(0, instant{100ms}, c.sent.sink());
+    REQUIRE(c.sent.empty()); // its instance is not known
+    REQUIRE(c.hear(from_hex(confirmation), 200ms).what == consumer_notice::ignored);
+    REQUIRE(c.sent.size() == 1);
+    REQUIRE(to_hex(c.sent[0]) == "06 02 0c 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 07");
+    REQUIRE(c.first().state == consumed_state::ending);
+}
+
+TEST_CASE("a report after a suspension has that message sent again, at most once for each answer timeout") {
+    consumer c;
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
+    c.hear(from_hex(confirmation), 0s);
+    REQUIRE(c.service.suspend(0, instant{1s}, c.sent.sink()));
+    c.sent.clear();
+    REQUIRE(c.report(0, 1999ms).what == consumer_notice::ignored);
+    REQUIRE(c.sent.empty());
+    for (const auto now : {2000ms, 2500ms}) {
+        REQUIRE(c.report(1, now).what == consumer_notice::ignored);
+        REQUIRE(c.sent.size() == 1);
+    }
+    REQUIRE(to_hex(c.sent[0]) == "06 02 0b 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 07");
+}
+
 TEST_CASE("a confirmation from another sender or of another report is ignored") {
     consumer c;
     REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
