@@ -3,6 +3,8 @@
 #include "support/catch.hpp"
 
 #include <cstdlib>
+#include <set>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -45,9 +47,24 @@ struct rig {
     }
 };
 
+/// Whether all values up to `last` have a text, which differs from those of the others.
+template <class Enum> bool are_described(Enum last) {
+    const auto count = static_cast<unsigned>(last) + 1;
+    std::set<std::string_view> texts{""};
+    for (unsigned i = 0; i != count; ++i) texts.insert(describe(static_cast<Enum>(i)));
+    return texts.size() == count + 1;
+}
+
 constexpr axis_options slow{.max_velocity = 1000, .acceleration = 10'000, .deceleration = 10'000, .standstill = 0};
 
 } // namespace
+
+TEST_CASE("every error and state of an axis, and all that it waits for, has a text of its own") {
+    CHECK(are_described(axis_errc::has_failed));
+    CHECK(are_described(axis_state::failed));
+    CHECK(are_described(axis_wait::reset));
+    CHECK(describe(axis_error{.code = axis_errc::inputs_lost}) == describe(axis_errc::inputs_lost));
+}
 
 TEST_CASE("an axis is enabled by one command for each observed status") {
     rig r;
@@ -84,6 +101,25 @@ TEST_CASE("a drive that does not take the next state fails the axis in time") {
     CHECK(r.mine.state() == axis_state::failed);
     CHECK(r.mine.error() == axis_error{axis_errc::step_timeout, state::switch_on_disabled});
     CHECK(r.mine.enable().error() == axis_errc::has_failed);
+}
+
+TEST_CASE("an axis that was disabled for longer than the step time is enabled as usual") {
+    rig r;
+    r.cycle(3000);
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    CHECK(r.mine.error().code == axis_errc::ok);
+}
+
+TEST_CASE("a motion begins with the acceleration and ends with the deceleration, in both directions") {
+    constexpr motion_limits limits{.velocity = 100, .acceleration = 10, .deceleration = 40};
+    for (const double direction : {1, -1}) {
+        motion_profile profile;
+        profile.step_at(direction * 100, limits, 1);
+        CHECK(profile.velocity() == direction * 10);
+        profile.reset(0, direction * 100);
+        profile.step_at(0, limits, 1);
+        CHECK(profile.velocity() == direction * 60);
+    }
 }
 
 TEST_CASE("a cyclic position starts where the axis is, until the drive follows") {
@@ -163,7 +199,7 @@ TEST_CASE("a cyclic velocity follows a ramp, and stops before a position limit")
 }
 
 TEST_CASE("a torque is limited, follows its slope, and does not push out of the range") {
-    rig r{{.max_position = 100, .max_torque = 500, .torque_slope = 10'000}};
+    rig r{{.min_position = -100, .max_position = 100, .max_torque = 500, .torque_slope = 10'000}};
     REQUIRE(r.enable(mode::cyclic_synchronous_torque));
     const auto accepted = r.mine.push_with(900);
     REQUIRE(accepted);
@@ -179,6 +215,13 @@ TEST_CASE("a torque is limited, follows its slope, and does not push out of the 
     r.cycle(60);
     CHECK(r.mine.targets().torque == 500);
     r.drive.feedback.velocity = 1'000'000; // max_velocity
+    r.cycle(60);
+    CHECK(r.mine.targets().torque == 0);
+    REQUIRE(r.mine.push_with(-500));
+    r.cycle(60);
+    CHECK(r.mine.targets().torque == -500); // against the velocity
+    r.drive.feedback.velocity = 0;
+    r.drive.feedback.position = -100;
     r.cycle(60);
     CHECK(r.mine.targets().torque == 0);
 }
@@ -197,6 +240,18 @@ TEST_CASE("disable brings the axis to rest by ramp before it takes the torque aw
     CHECK(r.drive.state == state::switch_on_disabled);
     CHECK(r.mine.state() == axis_state::disabled);
     CHECK(r.mine.run_at(1).error() == axis_errc::not_enabled);
+}
+
+TEST_CASE("an axis at rest whose profile is the drive's is disabled at once") {
+    for (const auto each : {mode::profile_position, mode::profile_velocity, mode::homing}) {
+        rig r{slow};
+        REQUIRE(r.enable(each));
+        r.cycle(10);
+        r.mine.disable();
+        r.cycle(10);
+        CHECK(r.drive.state == state::switch_on_disabled);
+        CHECK(r.mine.state() == axis_state::disabled);
+    }
 }
 
 TEST_CASE("disable does not enable the drive again while its status is late") {
@@ -440,11 +495,14 @@ TEST_CASE("a mode that the drive does not have fails the axis") {
     rig r{slow};
     r.mine.set_mode(mode::interpolated_position);
     REQUIRE(r.mine.enable());
-    for (int i = 0; i != 2010; ++i) {
+    int cycles = 0;
+    for (; r.mine.error().code == axis_errc::ok && cycles != 2010; ++cycles) {
         r.cycle();
         r.drive.feedback.mode = mode::none;
     }
     CHECK(r.mine.error().code == axis_errc::mode_refused);
+    CHECK(r.mine.targets().controlword == control_of(command::quick_stop)); // in the same cycle
+    r.cycle(5);
     CHECK(r.drive.state != state::operation_enabled);
 }
 
@@ -470,6 +528,16 @@ TEST_CASE("a set-point of profile position is handed over by its handshake") {
     CHECK((r.mine.targets().controlword & control_bits::new_set_point) != 0);
     CHECK(r.mine.targets().position == 5000);
     CHECK(!r.mine.is_target_reached());
+    r.drive.bits = status_bits::set_point_acknowledged | status_bits::target_reached;
+    r.cycle(2);
+    for (const std::uint16_t bits : {std::uint16_t{0}, std::uint16_t{0xE800}}) { // none, and all others
+        r.drive.bits = bits;
+        r.cycle(3);
+        CHECK(!r.mine.is_target_reached());
+    }
+    r.drive.bits = status_bits::target_reached;
+    r.cycle(2);
+    CHECK(r.mine.is_target_reached());
 }
 
 TEST_CASE("a set-point that the drive does not take fails the axis") {

@@ -134,6 +134,8 @@ TEST_CASE("the quick stop option decides how the drive stops and whether it stay
     CHECK(stop(2).first >= 7); // 5,000,000 a second
     CHECK(stop(2).first <= 12);
     CHECK(stop(3).first <= 4); // by its torque alone
+    CHECK(stop(5).first == 5000);
+    CHECK(stop(5).second < 1);
     CHECK(stop(6).first == 5000);
     CHECK(stop(6).second < 1);
     rig r;
@@ -166,6 +168,36 @@ TEST_CASE("halt, disable operation and shutdown stop by their options") {
     shut.send(0x06, mode::cyclic_synchronous_velocity, 60);
     CHECK(shut.motor().state() == state::ready_to_switch_on);
     CHECK(std::abs(shut.motor().velocity()) < 1);
+}
+
+TEST_CASE("a shaft that is placed stands still") {
+    rig r;
+    r.turn(50'000);
+    r.motor().place(7);
+    CHECK(r.motor().position() == 7);
+    CHECK(r.motor().velocity() == 0);
+}
+
+TEST_CASE("a shaft that turns without torque keeps its position demand until the drive is enabled") {
+    rig r;
+    r.turn(50'000);
+    r.send(0x00, mode::cyclic_synchronous_velocity, 1);
+    const auto demand = r.values().position_demand;
+    r.send(0x06);
+    r.send(0x07);
+    CHECK(r.motor().state() == state::switched_on);
+    CHECK(r.values().position_actual > demand + 50);
+    CHECK(r.values().position_demand == demand);
+    r.send(0x0F, mode::cyclic_synchronous_velocity, 1);
+    CHECK(r.values().position_demand > demand + 50);
+}
+
+TEST_CASE("a drive in profile position stands still before its first set-point") {
+    rig r;
+    r.motor().place(1000);
+    REQUIRE(r.enable(mode::profile_position));
+    r.cycle(3000);
+    CHECK(r.values().position_actual == 1000);
 }
 
 TEST_CASE("an axis moves the drive to a position, without a jump at its start") {

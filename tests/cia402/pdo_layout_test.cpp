@@ -97,4 +97,12 @@ TEST_CASE("the object that a mode lacks is named") {
     CHECK(places.load(filled<6>(0)).mode == mode::cyclic_synchronous_position);
     places.fixed_mode = mode::cyclic_synchronous_velocity;
     CHECK(places.missing_for(mode::cyclic_synchronous_velocity)->name == "Target velocity");
+    constexpr pdo_layout<4> velocity{mapping_of(objects::controlword), mapping_of(objects::target_velocity)};
+    const auto blind = places_of(velocity, inputs);
+    for (const auto each : {mode::profile_velocity, mode::cyclic_synchronous_velocity}) {
+        auto fixed = blind;
+        fixed.fixed_mode = each;
+        REQUIRE(fixed.missing_for(each) != nullptr);
+        CHECK(fixed.missing_for(each)->index == 0x606C);
+    }
 }

@@ -211,14 +211,14 @@ JAUSCAT_CONSTEXPR void emulated_axis::drive(double seconds) noexcept {
 JAUSCAT_CONSTEXPR double emulated_axis::within_limits(double target) noexcept {
     if (!has_position_limits()) return target;
     const double allowed = std::clamp<double>(target, values.min_position_limit, values.max_position_limit);
-    is_limited_ = is_limited_ || allowed != target;
+    is_limited_ = allowed != target;
     return allowed;
 }
 
 JAUSCAT_CONSTEXPR double emulated_axis::inwards(double value) noexcept {
     const bool outwards = has_position_limits() && ((value > 0 && position_ >= values.max_position_limit) ||
                                                     (value < 0 && position_ <= values.min_position_limit));
-    is_limited_ = is_limited_ || outwards;
+    is_limited_ = outwards;
     return outwards ? 0 : value;
 }
 
