@@ -106,6 +106,45 @@ TEST_CASE("a slave that was switched off and on gets its clock back while the ot
     CHECK(r.bus.clocks()->control().is_locked());
 }
 
+TEST_CASE("the cycles follow the reference clock until the last slave with SYNC signals is removed") {
+    clock_rig bench{2};
+    auto& r = bench.r;
+    r.run_until_ready();
+    r.bus.remove(r.fronts[1], r.now);
+    REQUIRE(r.bus.clocks());
+    r.run(1s);
+    CHECK(r.fronts[0].up());
+    CHECK(r.bus.clocks()->control().is_locked());
+    r.bus.remove(r.fronts[0], r.now);
+    CHECK(!r.bus.clocks());
+}
+
+TEST_CASE("a slave whose clock could not be set up is left out until the slaves are others") {
+    std::array<ethercat::clock_record, 8> memory{};
+    bridging::ring_clocks clocks{memory};
+    std::array<ethercat::slave_record, 3> slaves{};
+    for (std::uint16_t i = 0; i != slaves.size(); ++i) {
+        slaves[i].position = i;
+        slaves[i].station = static_cast<std::uint16_t>(2 + i);
+    }
+    const auto chosen = [&] {
+        clocks.choose(slaves, [](const auto&) { return true; }, [](const auto&) { return false; });
+        std::vector<std::uint16_t> stations;
+        for (const auto& each : clocks.chosen()) stations.push_back(each.station);
+        return stations;
+    };
+    using stations = std::vector<std::uint16_t>;
+    CHECK(chosen() == stations{2, 3, 4});
+    clocks.leave_out(3);
+    CHECK(chosen() == stations{2, 4});
+    clocks.leave_out(0); // an error of no slave
+    CHECK(chosen() == stations{2, 4});
+    clocks.leave_out(4);
+    CHECK(chosen() == stations{2});
+    clocks.leave_out_none();
+    CHECK(chosen() == stations{2, 3, 4});
+}
+
 TEST_CASE("the cycles follow the reference clock anew when their period changes") {
     clock_rig bench{3};
     auto& r = bench.r;

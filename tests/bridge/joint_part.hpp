@@ -8,6 +8,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace test {
 
@@ -21,6 +23,11 @@ class joint_part final : public bridging::process_part {
     bool reset_helps{true};
     unsigned starts{}, steps{}, resets{};
     unsigned missing{}; ///< slaves without data at the last step
+    std::vector<ethercat::init_command> start_up_objects{};
+
+    [[nodiscard]] std::span<const ethercat::init_command> start_up(std::size_t, jauscat::duration) override {
+        return start_up_objects;
+    }
 
     [[nodiscard]] result<void> start(bridging::slave_group slaves, jauscat::duration) override {
         ++starts;

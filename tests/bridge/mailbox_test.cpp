@@ -96,6 +96,27 @@ TEST_CASE("a slave without an object for emergencies is stopped by zeros") {
     CHECK(r.motor().aborted == 1);
 }
 
+TEST_CASE("a slave whose table has no object for emergencies is stopped by zeros") {
+    rig r{rig::driving{50}};
+    r.exchanges[0].lacks = jaus::command_code_of<jaus::set_emergency>;
+    const auto number = r.tell(rig::stop());
+    r.run_until([&] { return r.is_acknowledged(number); }, 200ms);
+    CHECK(r.motor().effort == 0);
+    CHECK(!r.motor().emergency);
+}
+
+TEST_CASE("a stop order wakes the link of its slave") {
+    rig r{rig::ready{}};
+    bool is_woken = false;
+    const auto wake = [&] { is_woken = true; };
+    r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
+    r.run_until_acknowledged(r.drive(50));
+    r.fronts[0].on_work(wake);
+    r.unit().on_lost(rig::operator_unit);
+    CHECK(is_woken);
+    CHECK(r.unit().stops().stop_is_pending());
+}
+
 TEST_CASE("stop orders are executed before waiting commands, which are refused") {
     rig r;
     r.round_trip = 8ms;

@@ -165,6 +165,17 @@ TEST_CASE("a slave that does not obey a stop order is lost with its group") {
     CHECK(a.is_at_rest());
 }
 
+TEST_CASE("start-up objects that a slave does not have are passed over") {
+    static constexpr std::array vendor{std::byte{1}, std::byte{}, std::byte{}, std::byte{}};
+    joint_part part;
+    part.start_up_objects = {{.index = 0x1FFF, .subindex = 0, .data = vendor},  // no such object
+                             {.index = 0x1018, .subindex = 9, .data = vendor},  // no such subindex
+                             {.index = 0x1018, .subindex = 1, .data = vendor}}; // has this value already
+    rig r{1, true, {&part}};
+    r.run_until_ready();
+    CHECK(r.watcher.lost == 0);
+}
+
 TEST_CASE("slaves with other process data than a part needs are not served") {
     joint_part part;
     bridging::process_channel empty{part, {}};

@@ -68,6 +68,31 @@ struct notes {
     }
 };
 
+/// Translates by the actuator's table, as if it had no object for one message.
+class partial_exchange final : public bridging::any_exchange {
+  public:
+    std::uint16_t lacks{}; ///< its code; 0: none
+
+    explicit partial_exchange(const bridging::slave_identity& slave) : whole_{slave} {}
+
+    bridging::exchange_step begin(bytes message, std::span<std::byte> buffer) override {
+        is_lacking_ = lacks != 0 && jaus::split(message).header.command_code == lacks;
+        return is_lacking_ ? bridging::exchange_step{bridging::exchange_progress::failed, 0}
+                           : whole_.begin(message, buffer);
+    }
+    bridging::exchange_step on_confirmation(bytes confirmation, std::span<std::byte> buffer) override {
+        return whole_.on_confirmation(confirmation, buffer);
+    }
+    [[nodiscard]] jauscat::hilscher::packet_status status() const override { return whole_.status(); }
+    [[nodiscard]] jauscat::translate::errc error() const override {
+        return is_lacking_ ? jauscat::translate::errc::unknown_index : whole_.error();
+    }
+
+  private:
+    bridging::exchange_under<actuator::table> whole_;
+    bool is_lacking_{};
+};
+
 /// One operator, one ring. Each frame takes `round_trip`; a cable that is out loses it.
 class rig {
   public:
@@ -236,7 +261,7 @@ class rig {
     jaus::component_options core_options{};
     notes watcher{};
     std::deque<emulated_actuator> actuators{};
-    std::deque<bridging::exchange_under<actuator::table>> exchanges{};
+    std::deque<partial_exchange> exchanges{};
     std::deque<bridging::slave_front> fronts{};
     std::deque<bridging::wrench_effort_part> process_parts{};
     std::deque<bridging::component> units{};

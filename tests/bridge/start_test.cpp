@@ -88,6 +88,27 @@ TEST_CASE("a slave whose mailbox hangs is given up, and the others that are conf
     r.run_until_ready();
 }
 
+TEST_CASE("slaves that another user of the bus has scanned are cleared, and not scanned again") {
+    rig r{2};
+    struct scanning {
+        rig& r;
+        bool is_wanted{true};
+        std::size_t found{};
+        bool begin(ethercat::master& idle) { return std::exchange(is_wanted, false) && idle.start(ethercat::scan{}); }
+        void done(ethercat::master& idle) {
+            found = idle.result<ethercat::scan>().value_or(0);
+            CHECK(r.bus.is_cleared());
+        }
+        void cycle() {}
+    } others{r};
+    r.bus.share({.begin = jaus::bound<&scanning::begin>(others),
+                 .done = jaus::bound<&scanning::done>(others),
+                 .cycle = jaus::bound<&scanning::cycle>(others)});
+    CHECK(!r.bus.is_cleared());
+    r.run_until_ready();
+    CHECK(others.found == 2);
+}
+
 TEST_CASE("a slave is removed while it is brought up with others") {
     rig r{3, true};
     const auto i = GENERATE(0u, 1u, 2u);

@@ -224,6 +224,17 @@ TEST_CASE("a drive that disappears brings the others to rest, and its values are
     CHECK(std::abs(a.motor(2).velocity()) < 10);
 }
 
+TEST_CASE("a drive that is lost at rest is not known to be at rest") {
+    arm a;
+    a.cycle(5);
+    CHECK(a.group.is_at_rest());
+    a.devices[2].connected = false;
+    a.cycle(4);
+    CHECK(!a.group.is_at_rest(2));
+    CHECK(!a.group.is_at_rest());
+    CHECK(a.group.is_at_rest(3));
+}
+
 TEST_CASE("a drive that is late keeps its targets, and goes on to rest if it is told to") {
     arm a;
     a.cycle(5);
@@ -294,4 +305,13 @@ TEST_CASE("a group serves the commands that its process data have the objects fo
     CHECK(!velocities.serves(set_positions));
     options[4].places.target_velocity = {};
     CHECK(!bridging::joint_group<joints>{options}.is_usable());
+    options = test::joint_arm<1>();
+    for (auto& each : options) {
+        each.places.mode = {};
+        each.places.fixed_mode = cia402::mode::cyclic_synchronous_position;
+    }
+    const bridging::joint_group<joints> positions{options};
+    CHECK(positions.is_usable());
+    CHECK(positions.serves(set_positions));
+    CHECK(!positions.serves(set_velocities));
 }

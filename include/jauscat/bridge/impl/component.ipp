@@ -188,7 +188,7 @@ JAUSCAT_FUNCTION void component::changed_state(jaus::primary_status_code from, j
 JAUSCAT_FUNCTION void component::changed_controller(const std::optional<jaus::controller>& by,
                                                     jaus::control_change why) {
     const bool is_lost = why == jaus::control_change::lost;
-    if (is_lost && core_.control().lost_mover()) return require_rest(stop_cause::sender_lost);
+    if (core_.control().lost_mover()) return require_rest(stop_cause::sender_lost); // a loss, but not of control
     front_.watcher().changed_controller(*this, why);
     if (is_lost) require_rest(stop_cause::controller_lost);
     // Queued motion commands of others than the new controller are dropped, and none of theirs is executed later.

@@ -716,7 +716,7 @@ JAUSCAT_FUNCTION bool ring::begin_stop(place& at, time_point now) {
 
 JAUSCAT_FUNCTION bool ring::begin_other(place& at, time_point now) {
     if (at.at != phase::up || master_.serves(at.front->station())) return false;
-    if (const auto due = next_work_of(at); !due || *due > now) return false; // most of the time, for most slaves
+    if (next_work_of(at).value_or(time_point::max()) > now) return false; // most of the time, for most slaves
     auto* const lane = free_lane(at, now);
     if (lane == nullptr) return false;
     if (at.has_reply) return begin_message(*lane, {.front = at.front, .what = purpose::emergencies}, 0);
@@ -1027,7 +1027,7 @@ JAUSCAT_FUNCTION void ring::end_cycle(time_point now) {
     if (!cycle_begun_) return;
     const auto lasted = std::min(now - *cycle_begun_, interval());
     for (place& each : places()) {
-        if (each.at != phase::up || each.status == nullptr || each.up_since > *cycle_begun_) continue;
+        if (each.status == nullptr || each.up_since > *cycle_begun_) continue; // of one that is not up it is not used
         const auto last = last_working(each, *each.status);
         each.silence = last && *last >= *cycle_begun_ ? duration{} : each.silence + lasted;
     }
