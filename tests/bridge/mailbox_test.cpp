@@ -654,6 +654,28 @@ TEST_CASE("a slave of unknown state counts as lost, also while the master waits 
     CHECK(r.unit(1).state() == status::failure);
 }
 
+TEST_CASE("a slave by mailbox that reports an error is lost, and brought up again") {
+    for (const unsigned reported : {0x14U, 0x12U}) { // SAFE-OP, PRE-OP
+        rig r{rig::ready{}};
+        r.run_until_acknowledged(r.drive(50));
+        r.on_way_back = [&](std::span<std::byte> back) {
+            ethercat::mutable_frame_view view;
+            REQUIRE(view.parse(back));
+            for (auto each : view)
+                if (each.header.cmd == ethercat::command::fprd &&
+                    each.header.ado == ethercat::esc_registers::al_status.address)
+                    each.data[0] = static_cast<std::byte>(reported);
+        };
+        const auto took = r.run_until([&] { return !r.fronts[0].up(); });
+        CHECK(took <= r.options.check_interval + 10ms);
+        CHECK(r.watcher.last_loss == bridging::loss::left_state);
+        CHECK(r.unit().state() == status::failure);
+        r.on_way_back = {};
+        r.run_until_ready();
+        CHECK(r.motor().effort == 0);
+    }
+}
+
 TEST_CASE("polling the states does not consume a reply for which the master waits") {
     rig r{rig::ready{}};
     r.run(30s); // every index was used

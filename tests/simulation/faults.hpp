@@ -44,14 +44,16 @@ enum class fault : std::uint8_t {
     drive_fault,
     drive_unpowered,
     drive_deaf,
+    watchdog_kept,
+    error_reported,
 };
-inline constexpr std::array<std::string_view, 32> fault_names{
+inline constexpr std::array<std::string_view, 34> fault_names{
     "datagram-lost",   "datagram-doubled", "datagram-delayed",  "network-parted",  "process-killed",  "process-frozen",
     "clock-leap",      "same-numbers",     "number-zero",       "message-doubled", "kinds-mixed",     "body-malformed",
     "mute-controller", "frame-lost",       "frame-delayed",     "cable-out",       "slave-frozen",    "slave-restarted",
     "slave-aborts",    "slave-falls-back", "mailbox-recounted", "other-master",    "odd-watchdog",    "unknown-state",
     "bridge-ended",    "frame-doubled",    "frame-damaged",     "slaves-swapped",  "station-doubled", "drive-fault",
-    "drive-unpowered", "drive-deaf"};
+    "drive-unpowered", "drive-deaf",       "watchdog-kept",     "error-reported"};
 inline constexpr std::size_t fault_count = fault_names.size();
 
 [[nodiscard]] constexpr std::string_view name_of(fault kind) noexcept {

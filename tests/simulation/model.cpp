@@ -742,6 +742,7 @@ void model::check() {
 void model::check_actuator(actuator_account& a) {
     if (a.wire != nullptr) {
         check_known(a);
+        check_watchdog(a);
         check_told(a);
         check_return(a);
         for (const auto& axis : a.axes)
@@ -789,6 +790,19 @@ void model::check_known(const actuator_account& a) {
     }
 }
 
+// A slave in OP at its own address was taken there by the bridge, which has set its watchdog. Another address may have
+// reached it while another slave was brought up.
+void model::check_watchdog(const actuator_account& a) {
+    for (const auto& axis : a.axes) {
+        const auto& slave = (*a.wire)[axis.slave];
+        if (!slave.cyclic || slave.told_state != ethercat::al_state::op || slave.taken_since) continue;
+        world_.compares(comparison::watchdog);
+        if (slave.watchdog == time{} || slave.watchdog > a.at_rest_in)
+            breaks(contract::s3, a, 0, "a watchdog of at most " + in_ms(a.at_rest_in) + " in OP",
+                   slave.watchdog == time{} ? "none" : "one of " + in_ms(slave.watchdog));
+    }
+}
+
 // Slaves that are there and left alone are brought up and to rest: nobody waits for them for ever. The fault of a drive
 // ends with a Reset.
 void model::check_return(const actuator_account& a) {
@@ -800,7 +814,8 @@ void model::check_return(const actuator_account& a) {
         const auto& slave = (*a.wire)[axis.slave];
         since = std::max({since, slave.disturbed_at, slave.unfrozen_at});
         is_away = is_away || slave.frozen || slave.state_is_unknown || slave.unreachable_since ||
-                  a.wire->is_elsewhere(axis.slave) || slave.has_drive_fault;
+                  a.wire->is_elsewhere(axis.slave) || slave.has_drive_fault || slave.keeps_watchdog ||
+                  slave.reports_error;
         has_drives = has_drives || slave.drive != nullptr;
     }
     if (is_away || (has_drives && a.reset_at < since)) return;

@@ -241,6 +241,7 @@ class model {
     void check_control_is_kept(const actuator_account& a);
     void check_large(const sender_account& account);
     void check_known(const actuator_account& a);
+    void check_watchdog(const actuator_account& a);
     void check_return(const actuator_account& a);
     void check_axis(const actuator_account& a, const axis_account& axis);
     void check_stop(const actuator_account& a, const axis_account& axis, const char* why, time since, time limit);

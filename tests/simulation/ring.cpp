@@ -3,6 +3,7 @@
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
+#include <jauscat/schema/ethercat/watchdog.hpp>
 
 namespace simulation {
 namespace {
@@ -13,9 +14,10 @@ namespace registers = ethercat::esc_registers;
 
 constexpr time tick_time = milliseconds{10};
 constexpr time hop_time = std::chrono::nanoseconds{700}; // from a slave to the next one
+constexpr std::byte safe_op_with_error{0x14};
 constexpr std::array ring_faults{fault::cable_out,    fault::slave_frozen,     fault::slave_restarted,
                                  fault::slave_aborts, fault::slave_falls_back, fault::mailbox_recounted,
-                                 fault::other_master, fault::unknown_state};
+                                 fault::other_master, fault::unknown_state,    fault::error_reported};
 constexpr std::array rough_faults{fault::slaves_swapped, fault::station_doubled};
 constexpr std::array drive_faults{fault::drive_fault, fault::drive_unpowered, fault::drive_deaf};
 
@@ -51,7 +53,10 @@ void ring::add_drive(std::string name, std::uint16_t station, std::size_t axes, 
 void ring::start(frame_user& user) {
     user_ = &user;
     world_.in(tick_time, *this, tick);
-    for (std::size_t i = 0; i != places_.size(); ++i) give_odd_watchdog(i);
+    for (std::size_t i = 0; i != places_.size(); ++i) {
+        give_odd_watchdog(i);
+        let_keep_watchdog(i);
+    }
     for (const auto kind : ring_faults) try_later(kind);
     if (is_rough_)
         for (const auto kind : rough_faults) try_later(kind);
@@ -137,9 +142,12 @@ void ring::alter(ring_place& at, std::span<std::byte> frame) {
     if (!view.parse(frame)) return;
     constexpr std::uint16_t mailbox_in = ethercat::slave_description{}.mailbox_in_offset;
     for (auto one : view) {
-        const bool is_mine =
-            one.header.cmd == ethercat::command::fprd && one.header.adp == at.unit->slave().station_address();
-        if (!is_mine || one.working_counter == 0) continue;
+        if (at.reports_error && one.header.cmd == ethercat::command::brd &&
+            one.header.ado == registers::al_status.address && !one.data.empty())
+            one.data[0] |= safe_op_with_error;
+        if (one.header.adp != at.unit->slave().station_address() || one.working_counter == 0) continue;
+        if (at.keeps_watchdog && one.header.cmd == ethercat::command::fpwr) keep_watchdog(at, one);
+        if (one.header.cmd != ethercat::command::fprd) continue;
         if (one.header.ado == mailbox_in && one.data.size() >= at.last_reply.size()) {
             const auto reply = one.data.first(at.last_reply.size());
             if (!std::ranges::equal(reply, at.last_reply)) {
@@ -153,6 +161,8 @@ void ring::alter(ring_place& at, std::span<std::byte> frame) {
         }
         if (at.state_is_unknown && one.header.ado == registers::al_status.address && !one.data.empty())
             one.data[0] &= std::byte{0xF0};
+        if (at.reports_error && one.header.ado == registers::al_status.address && !one.data.empty())
+            one.data[0] = safe_op_with_error;
     }
 }
 
@@ -167,6 +177,14 @@ bool ring::is_reachable(std::size_t i) const noexcept {
 
 // ---------------------------------------------------------------------------------------------------- what is wrong
 
+// A slave by mailbox works in PRE-OP, too; one that reports an error has left the state that the bridge has asked for.
+bool ring::works(const ring_place& at) {
+    const auto status = at.unit->slave().status();
+    if (at.reports_error) return false;
+    if (at.cyclic) return status.state == ethercat::al_state::op;
+    return !status.error && status.state != ethercat::al_state::init && status.state != ethercat::al_state::boot;
+}
+
 void ring::look(ring_place& at) {
     const auto i = static_cast<std::size_t>(&at - places_.data());
     const auto note = [&](std::optional<time>& since, bool is_wrong) {
@@ -176,14 +194,14 @@ void ring::look(ring_place& at) {
             since = world_.now();
     };
     const auto state = at.unit->slave().state();
+    if (at.reports_error && state != at.error_from) at.reports_error = false; // a master has acknowledged it
     if (state != at.told_state) {
+        if (state == ethercat::al_state::op) at.watchdog = watchdog_of(at);
         at.told_state = state;
         tell(i, ring_deed::al_state, static_cast<std::uint32_t>(state));
     }
-    const bool works = at.cyclic ? state == ethercat::al_state::op
-                                 : state != ethercat::al_state::init && state != ethercat::al_state::boot;
     note(at.unreachable_since, !is_reachable(i));
-    note(at.left_state_since, !works);
+    note(at.left_state_since, !works(at));
     note(at.taken_since, at.unit->slave().station_address() != at.station);
     note(at.unknown_since, at.state_is_unknown);
 }
@@ -291,6 +309,13 @@ void ring::suffer(fault kind) {
     case fault::drive_fault:
     case fault::drive_unpowered:
     case fault::drive_deaf: return suffer_of_drive(kind, i, some);
+    case fault::error_reported:
+        if (at.reports_error) return;
+        at.reports_error = true;
+        at.error_from = at.unit->slave().state();
+        tell(i, ring_deed::reports_error, ms);
+        mend_later();
+        break;
     default:
         if (at.state_is_unknown) return;
         at.state_is_unknown = true;
@@ -372,7 +397,10 @@ void ring::mend(fault kind, std::size_t i) {
         at.away = false;
         tell(i, ring_deed::comes_back);
         give_odd_watchdog(i);
+        let_keep_watchdog(i);
         break;
+    case fault::watchdog_kept: at.keeps_watchdog = false; break;
+    case fault::error_reported: at.reports_error = false; break;
     case fault::drive_fault:
     case fault::drive_unpowered:
     case fault::drive_deaf:
@@ -398,6 +426,43 @@ void ring::give_odd_watchdog(std::size_t i) {
     write(places_[i], registers::watchdog_divider.address, divider);
     write(places_[i], registers::process_data_watchdog.address, units);
     tell(i, ring_deed::odd_watchdog, std::uint32_t{divider} << 16U | units);
+}
+
+// For some time it ignores that its watchdog is written: it takes the datagram, or does not even count it.
+void ring::let_keep_watchdog(std::size_t i) {
+    auto& at = places_[i];
+    if (!at.cyclic || at.keeps_watchdog || !world_.faults.strikes(fault::watchdog_kept, 200'000)) return;
+    auto& random = world_.faults.random(fault::watchdog_kept);
+    constexpr std::array<watchdog_registers, 4> all{{{2498, 0}, {2498, 10'000}, {0xFFFF, 900}, {10'000, 0xFFFF}}};
+    at.kept_watchdog = all[random.below(all.size())];
+    at.refuses_watchdog = random.below(2) == 0;
+    at.keeps_watchdog = true;
+    const time some = random.between(milliseconds{50}, std::chrono::seconds{3});
+    tell(i, ring_deed::keeps_watchdog, static_cast<std::uint32_t>(some / milliseconds{1}));
+    world_.in(some, *this, repair,
+              static_cast<std::uint32_t>(fault::watchdog_kept) << 8U | static_cast<std::uint32_t>(i));
+}
+
+void ring::keep_watchdog(ring_place& at, const ethercat::basic_datagram<std::byte>& write) {
+    const bool is_divider = write.header.ado == registers::watchdog_divider.address;
+    if (!is_divider && write.header.ado != registers::process_data_watchdog.address) return;
+    this->write(at, write.header.ado, is_divider ? at.kept_watchdog.divider : at.kept_watchdog.units);
+    if (!at.refuses_watchdog) return;
+    auto& counter = write.bytes[write.bytes.size() - 2];
+    counter = static_cast<std::byte>(std::to_integer<unsigned>(counter) - 1);
+}
+
+time ring::watchdog_of(ring_place& at) {
+    std::array<std::byte, 96> frame{};
+    ethercat::frame_builder made{frame, 0xEE};
+    for (const auto address : {registers::watchdog_divider.address, registers::process_data_watchdog.address})
+        made.add(ethercat::command::aprd, 0, address, 2);
+    at.unit->slave().pass(*made.finish(), jauscat::time_point{world_.now()});
+    ethercat::frame_view back;
+    if (!back.parse(frame)) return {};
+    const auto first = back.begin();
+    const auto divider = (*first).value(registers::watchdog_divider).value;
+    return ethercat::watchdog_time(divider, (*std::next(first)).value(registers::process_data_watchdog).value);
 }
 
 // As somebody else on the wire, who reaches this slave alone.

@@ -16,29 +16,31 @@ namespace simulation {
 
 /// What of the ring is told; `value` as the comment says.
 enum class ring_deed : std::uint16_t {
-    frame_lost,    ///< 0: before the slaves, 1: on its way back
-    frame_delayed, ///< microseconds
-    cable_out,     //
-    cable_back,    //
-    freezes,       ///< milliseconds
-    goes_on,       //
-    restarts,      ///< milliseconds that it is away
-    comes_back,    //
-    aborts_next,   ///< how many writes
-    falls_back,    ///< AL state that is asked for
-    recounts,      //
-    taken,         ///< by another master
-    odd_watchdog,  ///< divider << 16 | time
-    al_state,      ///< the slave is in it
-    unknown_state, ///< milliseconds that its state cannot be read
-    frame_doubled, ///< microseconds until it comes again
-    frame_damaged, ///< bytes that are left of it; 0: a slave discards it
-    swapped,       ///< the actor with which it changes places
-    doubled,       ///< the actor whose station address it gets
-    drive_fault,   ///< milliseconds that its cause is there
-    unpowered,     ///< milliseconds that the power stage has no supply
-    deaf,          ///< milliseconds that it ignores controlwords
-    repaired,      //
+    frame_lost,     ///< 0: before the slaves, 1: on its way back
+    frame_delayed,  ///< microseconds
+    cable_out,      //
+    cable_back,     //
+    freezes,        ///< milliseconds
+    goes_on,        //
+    restarts,       ///< milliseconds that it is away
+    comes_back,     //
+    aborts_next,    ///< how many writes
+    falls_back,     ///< AL state that is asked for
+    recounts,       //
+    taken,          ///< by another master
+    odd_watchdog,   ///< divider << 16 | time
+    al_state,       ///< the slave is in it
+    unknown_state,  ///< milliseconds that its state cannot be read
+    frame_doubled,  ///< microseconds until it comes again
+    frame_damaged,  ///< bytes that are left of it; 0: a slave discards it
+    swapped,        ///< the actor with which it changes places
+    doubled,        ///< the actor whose station address it gets
+    drive_fault,    ///< milliseconds that its cause is there
+    unpowered,      ///< milliseconds that the power stage has no supply
+    deaf,           ///< milliseconds that it ignores controlwords
+    keeps_watchdog, ///< milliseconds that it keeps its watchdog registers, whatever is written
+    reports_error,  ///< milliseconds that it reports SAFE-OP with an error, or until it changes its state
+    repaired,       //
 };
 
 /// Who sends frames and gets them back.
@@ -57,6 +59,11 @@ struct trouble {
     time since{};
 };
 
+/// The registers 0400h and 0420h of a slave.
+struct watchdog_registers {
+    std::uint16_t divider{}, units{};
+};
+
 /// A slave and where it stands.
 struct ring_place {
     std::uint8_t number{}; ///< of the actor
@@ -66,7 +73,13 @@ struct ring_place {
     arm_unit* arm{};     ///< nullptr: it is none
     drive_unit* drive{}; ///< nullptr: it is none
     bool frozen{}, away{}, state_is_unknown{}, has_drive_fault{};
-    std::uint8_t recount{}; ///< added to the mailbox counter of its new messages
+    bool keeps_watchdog{};   ///< its registers keep `kept_watchdog`
+    bool refuses_watchdog{}; ///< and it does not count such writes in the working counter
+    watchdog_registers kept_watchdog{};
+    bool reports_error{};            ///< SAFE-OP with an error, in place of its state
+    ethercat::al_state error_from{}; ///< its state when it began to
+    time watchdog{};                 ///< when it went to OP; 0: it has none
+    std::uint8_t recount{};          ///< added to the mailbox counter of its new messages
     std::array<std::byte, 16> last_reply{};
     std::uint8_t last_reply_recount{}; ///< a message that is asked for again is the same
     time unfrozen_at{}, restarted_at{}, passed_at{};
@@ -129,6 +142,11 @@ class ring final : public actor {
     void mend(fault kind, std::size_t i);
     void write(ring_place& at, std::uint16_t address, std::uint16_t value);
     void give_odd_watchdog(std::size_t i);
+    void let_keep_watchdog(std::size_t i);
+    void keep_watchdog(ring_place& at, const ethercat::basic_datagram<std::byte>& write);
+    [[nodiscard]] time watchdog_of(ring_place& at);
+    /// Whether it does what the bridge has asked for.
+    [[nodiscard]] static bool works(const ring_place& at);
 
     world& world_;
     std::function<void(std::size_t, std::size_t, command_number)> moved_;

@@ -345,7 +345,7 @@ class ring {
     JAUSCAT_FUNCTION void end_cycle(time_point now);
     JAUSCAT_FUNCTION void give_up_settling(place& at, time_point now, jaus::message_sink out);
     // A slave by mailbox need not be in OP.
-    [[nodiscard]] JAUSCAT_FUNCTION static bool works_in(const place& at, ethercat::al_state state) noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION static bool works_in(const place& at, const ethercat::al_status& al) noexcept;
     [[nodiscard]] JAUSCAT_FUNCTION static std::optional<time_point>
     last_working(const place& at, const ethercat::slave_status& seen) noexcept;
     // The last slave of a component starts its part.

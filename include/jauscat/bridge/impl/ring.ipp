@@ -989,7 +989,7 @@ JAUSCAT_FUNCTION void ring::watch_cycles(time_point now, jaus::message_sink out)
         if (each.at == phase::settling) {
             const bool is_cyclic = each.front->options().cyclic;
             const bool is_there = seen.condition != silent && seen.condition != absent && seen.condition != duplicate &&
-                                  works_in(each, seen.al.state);
+                                  works_in(each, seen.al);
             if (is_cyclic ? seen.condition == running : is_there)
                 start_process_data(each, now, out);
             else if (now >= each.settling_until)
@@ -1006,7 +1006,7 @@ JAUSCAT_FUNCTION void ring::watch_cycles(time_point now, jaus::message_sink out)
             lose(each, loss::no_station, {.code = ethercat::master_errc::working_counter}, now, out);
         else if (seen.condition == duplicate)
             lose(each, loss::no_station, {.code = ethercat::master_errc::duplicate_station}, now, out);
-        else if (seen.condition != silent && !works_in(each, seen.al.state))
+        else if (seen.condition != silent && !works_in(each, seen.al))
             lose(each, loss::left_state, state, now, out);
         else if (each.silence >= each.front->timing().longest_silence)
             lose(each, loss::no_answer, {.code = ethercat::master_errc::no_reply}, now, out);
@@ -1036,7 +1036,7 @@ JAUSCAT_FUNCTION void ring::end_cycle(time_point now) {
 JAUSCAT_FUNCTION void ring::give_up_settling(place& at, time_point now, jaus::message_sink out) {
     const auto& seen = *at.status;
     const bool is_cyclic = at.front->options().cyclic;
-    if (!is_cyclic && seen.condition != ethercat::slave_condition::silent && !works_in(at, seen.al.state)) {
+    if (!is_cyclic && seen.condition != ethercat::slave_condition::silent && !works_in(at, seen.al)) {
         at.bring_up = {.code = ethercat::master_errc::al_error, .state = seen.al.state, .al_status = seen.al.code};
         return lose(at, loss::left_state, at.bring_up, now, out);
     }
@@ -1044,15 +1044,16 @@ JAUSCAT_FUNCTION void ring::give_up_settling(place& at, time_point now, jaus::me
     lose(at, is_cyclic ? loss::no_process_data : loss::no_station, at.bring_up, now, out);
 }
 
-JAUSCAT_FUNCTION bool ring::works_in(const place& at, ethercat::al_state state) noexcept {
+JAUSCAT_FUNCTION bool ring::works_in(const place& at, const ethercat::al_status& al) noexcept {
     using enum ethercat::al_state;
-    return state == op || (!at.front->options().cyclic && (state == pre_op || state == safe_op));
+    if (at.front->options().cyclic) return al.state == op;
+    return !al.error && (al.state == op || al.state == pre_op || al.state == safe_op);
 }
 
 JAUSCAT_FUNCTION std::optional<time_point> ring::last_working(const place& at,
                                                               const ethercat::slave_status& seen) noexcept {
     if (at.front->options().cyclic) return seen.last_running;
-    return works_in(at, seen.al.state) ? seen.last_frame : std::nullopt;
+    return works_in(at, seen.al) ? seen.last_frame : std::nullopt;
 }
 
 JAUSCAT_FUNCTION void ring::start_process_data(place& at, time_point now, jaus::message_sink out) {
