@@ -18,7 +18,10 @@ void arm_unit::power_on(time now) {
 void arm_unit::on_time(time now) {
     now_ = now;
     application_->set_station(slave_->station_address());
-    slave_->work();
+    if (now >= work_at_ || slow_ == time{}) {
+        work_at_ = now + slow_;
+        slave_->work();
+    }
     slave_->on_time(jauscat::time_point{now});
     watch_->look(*slave_, jauscat::time_point{now}); // first: the inputs say what is in force then
     process_data_->work(*slave_);

@@ -41,6 +41,9 @@ class arm_unit final : public device {
     [[nodiscard]] bool in_emergency() const noexcept { return emergency_; }
     /// When its supply came, or it last took zero efforts or Set Emergency by mailbox.
     [[nodiscard]] time told_to_rest_at() const noexcept { return told_to_rest_at_; }
+    /// From now on its mailbox and its states are worked off once in this time only, as a slave with a busy processor
+    /// does; 0: with each frame.
+    void set_slow(time each) noexcept { slow_ = each; }
     /// The next writes to objects are aborted so.
     void abort_from_now(unsigned writes, ethercat::abort_code code) noexcept {
         aborts_ = writes;
@@ -71,7 +74,7 @@ class arm_unit final : public device {
     std::optional<example::arm_process_data> process_data_{};
     std::optional<example::arm_watch> watch_{};
     bool emergency_{};
-    time now_{}, told_to_rest_at_{};
+    time now_{}, told_to_rest_at_{}, slow_{}, work_at_{};
     unsigned aborts_{};
     bool aborted_{}, denies_objects_{};
     ethercat::abort_code abort_{};

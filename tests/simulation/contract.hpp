@@ -11,10 +11,10 @@
 namespace simulation {
 
 /// docs/safety.md has their words.
-enum class contract : std::uint8_t { s1, s2, s3, s4, s5, s6, s7, s8, memory, limits };
+enum class contract : std::uint8_t { s1, s2, s3, s4, s5, s6, s7, s8, memory, limits, availability };
 
 [[nodiscard]] constexpr std::string_view name_of(contract point) noexcept {
-    constexpr std::array<std::string_view, 10> names{
+    constexpr std::array<std::string_view, 11> names{
         "S1: what is acknowledged was executed, once",
         "S2: stop orders come first, and are repeated until they are confirmed",
         "S3: at rest in time when who commands is lost",
@@ -24,7 +24,8 @@ enum class contract : std::uint8_t { s1, s2, s3, s4, s5, s6, s7, s8, memory, lim
         "S7: what is delivered is what was sent",
         "S8: what cannot be known is not running",
         "memory does not grow",
-        "motors keep the limits of their joints, and are not switched off while they turn"};
+        "motors keep the limits of their joints, and are not switched off while they turn",
+        "availability: what works is neither given up nor reset"};
     return names[static_cast<std::size_t>(point)];
 }
 
@@ -51,8 +52,10 @@ enum class comparison : std::uint8_t {
     large_data,
     large_data_arrives,
     known_to_run,
+    kept_in_use,
+    loser_dropped,
 };
-inline constexpr std::array<std::string_view, 20> comparison_names{"S1 acknowledged messages are executed",
+inline constexpr std::array<std::string_view, 22> comparison_names{"S1 acknowledged messages are executed",
                                                                    "S1 acknowledgements and refusals are asked for",
                                                                    "S2 confirmed stop orders have effect",
                                                                    "S2 a slave is told of an emergency",
@@ -71,7 +74,9 @@ inline constexpr std::array<std::string_view, 20> comparison_names{"S1 acknowled
                                                                    "S6 at rest before the program ends",
                                                                    "S7 large data sets are whole",
                                                                    "S1 large data sets arrive",
-                                                                   "S8 what is not known to run is not Ready"};
+                                                                   "S8 what is not known to run is not Ready",
+                                                                   "slaves are given up and reset for a cause",
+                                                                   "S5 queued commands of the loser are dropped"};
 /// How often each has compared something.
 using comparison_counts = std::array<std::uint64_t, comparison_names.size()>;
 

@@ -46,14 +46,15 @@ enum class fault : std::uint8_t {
     drive_deaf,
     watchdog_kept,
     error_reported,
+    slave_slow,
 };
-inline constexpr std::array<std::string_view, 34> fault_names{
+inline constexpr std::array<std::string_view, 35> fault_names{
     "datagram-lost",   "datagram-doubled", "datagram-delayed",  "network-parted",  "process-killed",  "process-frozen",
     "clock-leap",      "same-numbers",     "number-zero",       "message-doubled", "kinds-mixed",     "body-malformed",
     "mute-controller", "frame-lost",       "frame-delayed",     "cable-out",       "slave-frozen",    "slave-restarted",
     "slave-aborts",    "slave-falls-back", "mailbox-recounted", "other-master",    "odd-watchdog",    "unknown-state",
     "bridge-ended",    "frame-doubled",    "frame-damaged",     "slaves-swapped",  "station-doubled", "drive-fault",
-    "drive-unpowered", "drive-deaf",       "watchdog-kept",     "error-reported"};
+    "drive-unpowered", "drive-deaf",       "watchdog-kept",     "error-reported",  "slave-slow"};
 inline constexpr std::size_t fault_count = fault_names.size();
 
 [[nodiscard]] constexpr std::string_view name_of(fault kind) noexcept {

@@ -186,6 +186,8 @@ void model::delivers_large(const process& at, const jaus::header& head, bytes bo
     if (!from) return fail(contract::s7, "a large data set of its sender", "the sender is another");
     for (auto& one : senders_[*from].large) {
         if (one.identity != *identity || one.code != head.command_code) continue;
+        if (one.destination != head.destination)
+            fail(contract::s7, "a large data set for this component", "it was sent to another");
         if (one.delivered != 0 && one.wants_acknowledgement && at.jumped_at() <= one.delivered_at)
             fail(contract::s1, "a large data set is delivered once",
                  "number " + std::to_string(*identity) + " was delivered " + in_ms(world_.now() - one.delivered_at) +
@@ -224,6 +226,7 @@ void model::arrives(std::uint8_t which, std::uint32_t message, const jaus::heade
     a.was_repeat = sent != nullptr && sent->done;
     if (sent != nullptr) sent->was_refused = false;
     if (sent != nullptr && sent->arrived_at == time{}) sent->arrived_at = world_.now();
+    if (sent != nullptr && moves(sent->code)) a.motions[a.motion_count++ % a.motions.size()] = message;
     // A large data set may have waited in its sender's node, which also asks for heartbeats by itself.
     const bool is_life =
         head.command_code != large_code && head.command_code != jaus::command_code_of<jaus::query_heartbeat_pulse>;
@@ -496,6 +499,19 @@ void model::obeys(actuator_account& a, const sent_message* sent, command_number 
         breaks(contract::s5, a, sent->number, "motion commands come from the controller",
                "one of " + world_.names()[senders_[sent->sender].program->number()] + " was obeyed under control of " +
                    world_.names()[senders_[*a.controller].program->number()]);
+    // One may stand in the slave's mailbox; what waits behind it is dropped.
+    const auto* const arm = arm_of(a);
+    if (command != 0 && arm != nullptr && !(*a.wire)[a.axes.front().slave].cyclic && a.controller &&
+        *a.controller != sent->sender && ++a.loser_executed > 1)
+        breaks(contract::s5, a, sent->number, "no queued command of another is executed after a change of control",
+               "the second one, of " + world_.names()[senders_[sent->sender].program->number()]);
+}
+
+// It came before the change of control, and waits.
+bool model::is_of_loser(const actuator_account& a, const sent_message& sent) const {
+    constexpr time order_timeout = std::chrono::milliseconds{500};
+    return a.controller && sent.sender != *a.controller && sent.destination == a.id && sent.executed == 0 &&
+           !sent.was_refused && sent.arrived_at <= a.controlled_since && world_.now() - sent.arrived_at < order_timeout;
 }
 
 // A command that stands in a slave's mailbox cannot be taken back while the slave cannot be reached or does nothing. A
@@ -579,6 +595,7 @@ void model::enters(std::uint8_t which, primary_status_code from, primary_status_
     if (to == ready && (from == failure || from == initialize))
         check_ready(a, std::max(a.lost_since, a.not_ready_since));
     if (a.state == ready && to != ready) a.not_ready_since = world_.now();
+    if (from == ready && to == failure) check_cause(a, "a component stays Ready");
     if (a.state != to && (to == failure || to == initialize)) a.failed_since = world_.now();
     if (a.state != to && to == failure && from != emergency) a.lost_since = world_.now(); // that covers rest
     if (a.state != to) a.entered_at = world_.now();
@@ -608,7 +625,12 @@ void model::enters(std::uint8_t which, primary_status_code from, primary_status_
 
 void model::hears_lost(std::uint8_t which, const jaus::address& who) {
     auto& a = actuators_[which];
-    const bool is_of_controller = a.controller && senders_[*a.controller].id.subsystem == who.subsystem;
+    const auto is_same = [](std::uint8_t level, std::uint8_t lost) { return lost == 255 || level == lost; };
+    const auto is_lost = [&](const jaus::address& id) {
+        return id.subsystem == who.subsystem && is_same(id.node, who.node) && is_same(id.component, who.component) &&
+               is_same(id.instance, who.instance);
+    };
+    const bool is_of_controller = a.controller && is_lost(senders_[*a.controller].id);
     if (is_of_controller) a.controller_gone = world_.now();
     world_.tell({.what = deed::gives_up,
                  .who = a.number,
@@ -643,7 +665,17 @@ void model::confirmed(actuator_account& a, const jaus::header& head, bytes body)
     jaus::confirm_component_control m{};
     const auto to = account_of(head.destination);
     if (!to || !wire::decode(m, body) || m.response_code != jaus::component_control_response::control_accepted) return;
-    a.controller = *to;
+    if (a.controller != *to) {
+        a.loser_executed = 0;
+        a.controller = *to;
+        const auto* const arm = arm_of(a);
+        if (arm != nullptr && !(*a.wire)[a.axes.front().slave].cyclic &&
+            std::ranges::count_if(a.motions, [&](std::uint32_t number) {
+                const auto* sent = find(number);
+                return sent != nullptr && is_of_loser(a, *sent);
+            }) > 1)
+            world_.compares(comparison::loser_dropped);
+    }
     a.controller_heard = world_.now();
 }
 
@@ -699,7 +731,8 @@ void model::check_efforts(const actuator_account& a, bytes body) {
     if (!wire::decode(told, body)) return;
     constexpr time of_upload = std::chrono::milliseconds{25}, on_its_way = std::chrono::milliseconds{2};
     const bool is_quiet = world_.now() - last_disturbance(a) > a.at_rest_in;
-    const time usual = a.cycle != time{} ? 2 * a.cycle + on_its_way : of_upload;
+    const time slow = a.wire == nullptr ? time{} : (*a.wire)[a.axes.front().slave].slow;
+    const time usual = a.cycle != time{} ? 2 * a.cycle + on_its_way : of_upload + 2 * slow;
     const time age = a.wire == nullptr ? time{} : is_quiet ? usual : a.fresh_for;
     const auto command = command_in<jaus::report_wrench_effort>(body);
     world_.compares(told == wire::raw<jaus::report_wrench_effort>{} ? comparison::no_efforts_reported
@@ -743,6 +776,7 @@ void model::check_actuator(actuator_account& a) {
     if (a.wire != nullptr) {
         check_known(a);
         check_watchdog(a);
+        check_kept(a);
         check_told(a);
         check_return(a);
         for (const auto& axis : a.axes)
@@ -787,6 +821,32 @@ void model::check_known(const actuator_account& a) {
             breaks(contract::s8, a, 0,
                    "a component is not Ready " + in_ms(a.noticed_in) + " after its slave is not known to run",
                    std::string{"Ready, "} + in_ms(world_.now() - since) + " after this: " + trouble->what);
+    }
+}
+
+// Slaves and components that nothing has happened to for some time stay in use.
+void model::check_cause(const actuator_account& a, const char* of) {
+    constexpr time some = std::chrono::seconds{2};
+    if (a.wire == nullptr) return;
+    world_.compares(comparison::kept_in_use);
+    time last = a.program->running() ? last_disturbance(a) : world_.now();
+    const bool is_hurt = any_slave(a, [&](const ring_place& each) {
+        last = std::max(last, each.shared_at);
+        return each.frozen || each.away || each.state_is_unknown || each.has_drive_fault || each.reports_error ||
+               each.keeps_watchdog || each.unreachable_since || each.taken_since || each.left_state_since ||
+               (each.drive != nullptr && each.drive->has_fault());
+    });
+    const bool is_elsewhere =
+        std::ranges::any_of(a.axes, [&](const axis_account& each) { return a.wire->is_elsewhere(each.slave); });
+    if (is_hurt || is_elsewhere || world_.now() - last <= some) return;
+    breaks(contract::availability, a, a.current, of,
+           "it does not, and nothing has happened to it for " + in_ms(world_.now() - last));
+}
+
+void model::check_kept(actuator_account& a) {
+    for (auto& axis : a.axes) {
+        const auto& slave = (*a.wire)[axis.slave];
+        if (std::exchange(axis.left_seen, slave.left_at) != slave.left_at) check_cause(a, "a slave stays in its state");
     }
 }
 

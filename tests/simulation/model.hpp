@@ -76,6 +76,7 @@ struct axis_account {
     std::size_t slave{};      ///< of the ring
     std::size_t axis{};       ///< of the slave
     command_number command{}; ///< in force; 0: at rest
+    time left_seen{};         ///< ring_place::left_at that was checked
 };
 
 /// An actuator, as far as it shows.
@@ -108,7 +109,10 @@ struct actuator_account {
     std::uint32_t current{};
     jaus::header head{};
     bool acknowledged{}, refused{}, was_repeat{};
-    std::vector<std::uint32_t> arrived{}; ///< messages that request acknowledgement, see note_arrival
+    std::vector<std::uint32_t> arrived{};   ///< messages that request acknowledgement, see note_arrival
+    std::array<std::uint32_t, 8> motions{}; ///< the last motion commands that came
+    std::uint32_t motion_count{};
+    unsigned loser_executed{}; ///< commands of others, from before the last change of control
     // What was in force, and when:
     time failed_since{}, not_ready_since{}, rest_seen_at{}, emergency_seen_at{}, controlled_since{};
     time entered_at{};       ///< its state
@@ -241,6 +245,9 @@ class model {
     void check_control_is_kept(const actuator_account& a);
     void check_large(const sender_account& account);
     void check_known(const actuator_account& a);
+    void check_cause(const actuator_account& a, const char* of);
+    void check_kept(actuator_account& a);
+    [[nodiscard]] bool is_of_loser(const actuator_account& a, const sent_message& sent) const;
     void check_watchdog(const actuator_account& a);
     void check_return(const actuator_account& a);
     void check_axis(const actuator_account& a, const axis_account& axis);

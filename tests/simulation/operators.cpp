@@ -348,7 +348,10 @@ void foreign_operator::act() {
     case intent::ask_control:
         authority_ = static_cast<std::uint8_t>(1 + random_.below(200));
         return put(target_, jaus::request_component_control{authority_});
-    case intent::move: return move(model_.new_command(), sure);
+    case intent::move:
+        if (random_.below(6) == 0) // several at once wait behind one another
+            for (unsigned i = 0; i != 2; ++i) move(model_.new_command(), false);
+        return move(model_.new_command(), sure);
     case intent::stop_moving: return move(0, sure);
     case intent::standby: return command(jaus::standby{}, sure);
     case intent::resume: return command(jaus::resume{}, sure);

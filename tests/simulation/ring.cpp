@@ -17,7 +17,8 @@ constexpr time hop_time = std::chrono::nanoseconds{700}; // from a slave to the 
 constexpr std::byte safe_op_with_error{0x14};
 constexpr std::array ring_faults{fault::cable_out,    fault::slave_frozen,     fault::slave_restarted,
                                  fault::slave_aborts, fault::slave_falls_back, fault::mailbox_recounted,
-                                 fault::other_master, fault::unknown_state,    fault::error_reported};
+                                 fault::other_master, fault::unknown_state,    fault::error_reported,
+                                 fault::slave_slow};
 constexpr std::array rough_faults{fault::slaves_swapped, fault::station_doubled};
 constexpr std::array drive_faults{fault::drive_fault, fault::drive_unpowered, fault::drive_deaf};
 
@@ -197,6 +198,8 @@ void ring::look(ring_place& at) {
     if (at.reports_error && state != at.error_from) at.reports_error = false; // a master has acknowledged it
     if (state != at.told_state) {
         if (state == ethercat::al_state::op) at.watchdog = watchdog_of(at);
+        if (at.cyclic ? at.told_state == ethercat::al_state::op : state == ethercat::al_state::init)
+            at.left_at = world_.now();
         at.told_state = state;
         tell(i, ring_deed::al_state, static_cast<std::uint32_t>(state));
     }
@@ -304,11 +307,20 @@ void ring::suffer(fault kind) {
             places_[(i + 1 + random.below(std::max<std::size_t>(places_.size(), 2) - 1)) % places_.size()];
         tell(i, ring_deed::doubled, other.number);
         write(at, registers::station_address.address, other.station);
+        places_[static_cast<std::size_t>(&other - places_.data())].shared_at = world_.now();
         break;
     }
     case fault::drive_fault:
     case fault::drive_unpowered:
     case fault::drive_deaf: return suffer_of_drive(kind, i, some);
+    case fault::slave_slow:
+        if (at.arm == nullptr || at.cyclic || at.slow != time{}) return;
+        at.slow = random.between(milliseconds{20}, milliseconds{60});
+        at.arm->set_slow(at.slow);
+        tell(i, ring_deed::slow, static_cast<std::uint32_t>(at.slow / milliseconds{1}));
+        world_.in(random.between(std::chrono::seconds{1}, std::chrono::seconds{10}), *this, repair,
+                  static_cast<std::uint32_t>(kind) << 8U | static_cast<std::uint32_t>(i));
+        break;
     case fault::error_reported:
         if (at.reports_error) return;
         at.reports_error = true;
@@ -401,6 +413,11 @@ void ring::mend(fault kind, std::size_t i) {
         break;
     case fault::watchdog_kept: at.keeps_watchdog = false; break;
     case fault::error_reported: at.reports_error = false; break;
+    case fault::slave_slow:
+        at.arm->set_slow({});
+        at.slow = {};
+        tell(i, ring_deed::repaired);
+        break;
     case fault::drive_fault:
     case fault::drive_unpowered:
     case fault::drive_deaf:

@@ -39,6 +39,7 @@ enum class ring_deed : std::uint16_t {
     unpowered,      ///< milliseconds that the power stage has no supply
     deaf,           ///< milliseconds that it ignores controlwords
     keeps_watchdog, ///< milliseconds that it keeps its watchdog registers, whatever is written
+    slow,           ///< milliseconds that it takes for each message
     reports_error,  ///< milliseconds that it reports SAFE-OP with an error, or until it changes its state
     repaired,       //
 };
@@ -78,6 +79,9 @@ struct ring_place {
     watchdog_registers kept_watchdog{};
     bool reports_error{};            ///< SAFE-OP with an error, in place of its state
     ethercat::al_state error_from{}; ///< its state when it began to
+    time slow{};                     ///< it works off its mailbox once in this time; 0: with each frame
+    time left_at{};                  ///< when it has last left a state in which it works
+    time shared_at{};                ///< when another slave has got its station address
     time watchdog{};                 ///< when it went to OP; 0: it has none
     std::uint8_t recount{};          ///< added to the mailbox counter of its new messages
     std::array<std::byte, 16> last_reply{};

@@ -34,8 +34,9 @@ std::string ring_text(const happening& one, const std::vector<std::string>& name
     case ring_deed::unpowered: return name + ": its power stage has no supply for " + value + " ms";
     case ring_deed::deaf: return name + " ignores controlwords for " + value + " ms";
     case ring_deed::keeps_watchdog: return name + " ignores writes of its watchdog for " + value + " ms";
+    case ring_deed::slow: return name + " takes " + value + " ms for each message";
     case ring_deed::reports_error: return name + " reports SAFE-OP with an error for " + value + " ms";
-    case ring_deed::repaired: return name + ": the cause of its fault is gone";
+    case ring_deed::repaired: return name + " works as before";
     case ring_deed::unknown_state: return name + ": its AL state cannot be read for " + value + " ms";
     }
     return name + ": something happens";

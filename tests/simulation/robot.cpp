@@ -69,40 +69,58 @@ std::optional<std::size_t> actuator::filler::operator()(std::uint16_t, std::uint
 }
 
 robot::robot(world& w, network& n, model& m, const std::vector<place>& places, std::size_t which)
-    : node_program{w, n, m, places, which},
-      id_{.instance = 1, .component = 33, .node = 1, .subsystem = places[which].jausip.subsystem},
-      account_{m.add_actuator(*this, id_, number(), timeout)} {}
+    : node_program{w, n, m, places, which} {
+    const std::uint8_t count = 1 + static_cast<std::uint8_t>(w.stream(1002 + which).below(2));
+    for (std::uint8_t i = 1; i <= count; ++i) {
+        auto& made = *seats_.emplace_back(std::make_unique<seat>());
+        made.id = {.instance = i, .component = 33, .node = 1, .subsystem = places[which].jausip.subsystem};
+        made.account =
+            m.add_actuator(*this, made.id, i == 1 ? number() : w.add(places[which].name + ", instance 2"), timeout);
+    }
+}
 
 void robot::add_components(net::node_machine& node) {
-    model_.starts(account_);
-    stuck_since_ = world_.now();
-    actuator_.emplace(id_, *this, model_, account_, timeout);
-    watched_.emplace(actuator_->core, *actuator_);
-    watched_->seen_in = [this](const jaus::header& head) { model_.arrives(account_, current_message(), head); };
-    watched_->seen_out = [this](bytes message) { model_.answers(account_, message); };
-    watched_->seen_lost = [this](const jaus::address& who) { model_.hears_lost(account_, who); };
-    watched_->seen_done = [this] { model_.handled(account_); };
     static const auto nothing = [](const jaus::header&, bytes) { return jaus::message_outcome::unhandled; };
-    node.add(*watched_, nothing);
-    actuator_->core.change(jaus::state_event::initialized);
+    for (auto& each : seats_) {
+        auto& one = *each;
+        model_.starts(one.account);
+        one.stuck_since = world_.now();
+        one.unit.emplace(one.id, *this, model_, one.account, timeout);
+        one.watched.emplace(one.unit->core, *one.unit);
+        one.watched->seen_in = [this, &one](const jaus::header& head) {
+            model_.arrives(one.account, current_message(), head);
+        };
+        one.watched->seen_out = [this, &one](bytes message) { model_.answers(one.account, message); };
+        one.watched->seen_lost = [this, &one](const jaus::address& who) { model_.hears_lost(one.account, who); };
+        one.watched->seen_done = [this, &one] { model_.handled(one.account); };
+        node.add(*one.watched, nothing);
+        one.unit->core.change(jaus::state_event::initialized);
+    }
 }
 
 void robot::remove_components() {
-    watched_.reset();
-    actuator_.reset();
+    for (auto& each : seats_) {
+        each->watched.reset();
+        each->unit.reset();
+    }
+}
+
+void robot::act() {
+    for (auto& each : seats_)
+        if (running()) look_after(*each);
 }
 
 // Somebody looks after the machine.
-void robot::act() {
+void robot::look_after(seat& one) {
     using enum jaus::primary_status_code;
-    const auto state = actuator_->core.state();
-    if (state == initialize) actuator_->core.change(jaus::state_event::initialized);
-    if (state != emergency && state != jaus::primary_status_code::shutdown) stuck_since_ = world_.now();
-    if (world_.now() - stuck_since_ < std::chrono::seconds{15}) return;
+    const auto state = one.unit->core.state();
+    if (state == initialize) one.unit->core.change(jaus::state_event::initialized);
+    if (state != emergency && state != jaus::primary_status_code::shutdown) one.stuck_since = world_.now();
+    if (world_.now() - one.stuck_since < std::chrono::seconds{15}) return;
     if (state == jaus::primary_status_code::shutdown) return die(std::chrono::milliseconds{100});
-    model_.person_clears(account_);
-    actuator_->core.end_emergency();
-    stuck_since_ = world_.now();
+    model_.person_clears(one.account);
+    one.unit->core.end_emergency();
+    one.stuck_since = world_.now();
 }
 
 } // namespace simulation

@@ -6,6 +6,9 @@
 #include <jauscat/jaus/events/service_connections.hpp>
 
 #include <array>
+#include <memory>
+#include <optional>
+#include <vector>
 
 namespace simulation {
 
@@ -42,12 +45,12 @@ class actuator {
     jaus::component<jaus::service_connections<8>> core;
 };
 
-/// The program around it.
+/// The program around it: in half of the runs with two actuators, whose components differ in the instance.
 class robot final : public node_program {
   public:
     robot(world& w, network& n, model& m, const std::vector<place>& places, std::size_t which);
 
-    [[nodiscard]] std::uint8_t account() const noexcept { return account_; }
+    [[nodiscard]] std::size_t instances() const noexcept { return seats_.size(); }
 
   protected:
     void add_components(net::node_machine& node) override;
@@ -59,11 +62,16 @@ class robot final : public node_program {
   private:
     static constexpr time timeout = std::chrono::milliseconds{500};
 
-    jaus::address id_;
-    std::uint8_t account_;
-    std::optional<actuator> actuator_{};
-    std::optional<watched_component<decltype(actuator::core), actuator>> watched_{};
-    time stuck_since_{};
+    struct seat {
+        jaus::address id{};
+        std::uint8_t account{};
+        std::optional<actuator> unit{};
+        std::optional<watched_component<decltype(actuator::core), actuator>> watched{};
+        time stuck_since{};
+    };
+    void look_after(seat& one);
+
+    std::vector<std::unique_ptr<seat>> seats_{};
 };
 
 } // namespace simulation

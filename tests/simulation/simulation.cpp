@@ -18,6 +18,20 @@ namespace {
 constexpr jaus::address subsystem(std::uint8_t id) { return {0, 0, 0, id}; }
 constexpr jaus::address component_of(std::uint8_t id, std::uint8_t component) { return {1, component, 1, id}; }
 
+/// In half of the runs a second foreign operator has the address of the first one but for its instance, its node or its
+/// subsystem.
+std::optional<jaus::address> twin_of_foreign(world& w) {
+    auto random = w.stream(1001);
+    if (random.below(2) == 0) return std::nullopt;
+    auto made = component_of(5, 32);
+    switch (random.below(3)) {
+    case 0: made.instance = 2; break;
+    case 1: made.node = 2; break;
+    default: made.subsystem = 6;
+    }
+    return made;
+}
+
 /// Robots that are JAUS components themselves, and operators of both kinds.
 class jaus_system {
   public:
@@ -28,20 +42,40 @@ class jaus_system {
             const bool has_manager = random.below(4) != 0;
             places_.push_back({name, has_manager ? subsystem(id) : jaus::address{0, component, 1, id}});
         };
+        // Where a robot has two actuators, its place has both.
         at("robot a", 2, 33);
         at("robot b", 3, 33);
         at("operator a", 1, 32);
         at("operator b", 4, 32);
+        const auto twin = twin_of_foreign(w);
+        if (twin) places_.back() = {"twin operator", *twin};
         places_.push_back({"foreign operator", {0, 32, 1, 5}});
-        add<robot>(0U);
-        add<robot>(1U);
+        for (const std::size_t i : {0U, 1U}) {
+            auto made = std::make_unique<robot>(world_, network_, model_, places_, i);
+            instances_[i] = made->instances();
+            processes_.push_back(std::move(made));
+        }
         const auto some_robot = [&] { return static_cast<std::uint8_t>(2 + random.below(2)); };
-        add<operator_program>(2U, target_unit{component_of(some_robot(), 33)});
-        add<operator_program>(3U, target_unit{component_of(some_robot(), 33)});
+        auto random_instance = w.stream(1004);
+        const auto unit_of = [&](std::uint8_t id) {
+            auto made = component_of(id, 33);
+            made.instance = static_cast<std::uint8_t>(1 + random_instance.below(instances_[id - 2U]));
+            return target_unit{made};
+        };
+        add<operator_program>(2U, unit_of(some_robot()));
+        const auto robot_of_b = some_robot();
         const auto robot_of_foreign = some_robot();
-        processes_.push_back(std::make_unique<foreign_operator>(
-            w, network_, model_, component_of(5, 32), target_unit{component_of(robot_of_foreign, 33)},
-            static_cast<std::uint8_t>(robot_of_foreign - 2), places_[4].name));
+        const auto unit_of_foreign = unit_of(robot_of_foreign);
+        const auto add_foreign = [&](const jaus::address& self, std::size_t place) {
+            processes_.push_back(std::make_unique<foreign_operator>(w, network_, model_, self, unit_of_foreign,
+                                                                    static_cast<std::uint8_t>(robot_of_foreign - 2),
+                                                                    places_[place].name));
+        };
+        if (twin)
+            add_foreign(*twin, 3);
+        else
+            add<operator_program>(3U, unit_of(robot_of_b));
+        add_foreign(component_of(5, 32), 4);
         network_.start();
         for (auto& one : processes_)
             if ((what.absent >> one->number() & 1U) == 0) one->start();
@@ -60,6 +94,7 @@ class jaus_system {
     model model_;
     std::vector<place> places_{};
     std::vector<std::unique_ptr<process>> processes_{};
+    std::array<std::size_t, 2> instances_{}; ///< of each robot's actuators
     memory_watch memory_{world_};
 };
 
@@ -128,7 +163,8 @@ class bridge_system {
             places_.push_back({"node of arm " + std::to_string(places_.size()), {0, 0, node, arm_unit::subsystem}});
         }
         places_.push_back({"operator a", subsystem(1)});
-        places_.push_back({"operator b", subsystem(4)});
+        const auto twin = twin_of_foreign(w);
+        places_.push_back(twin ? place{"twin operator", *twin} : place{"operator b", subsystem(4)});
         places_.push_back({"foreign operator", {0, 32, 1, 5}});
         bridge_ = std::make_unique<bridge_program>(w, network_, model_, places_, wire_, made);
         const auto arm = [&] { return static_cast<std::uint8_t>(random.below(made.units.size())); };
@@ -136,12 +172,21 @@ class bridge_system {
             const auto node = station_of(made.units[i].slaves.front());
             return target_unit{{1, 33, node, arm_unit::subsystem}, made.units[i].joints()};
         };
-        for (std::size_t i = 0; i != 2; ++i)
+        const auto of_a = arm(), of_b = arm(), of_foreign = arm();
+        const auto add_operator = [&](std::size_t i, std::uint8_t of) {
             operators_.push_back(
-                std::make_unique<operator_program>(w, network_, model_, places_, made.units.size() + i, unit(arm())));
-        const auto of_foreign = arm();
-        operators_.push_back(std::make_unique<foreign_operator>(w, network_, model_, component_of(5, 32),
-                                                                unit(of_foreign), of_foreign, places_.back().name));
+                std::make_unique<operator_program>(w, network_, model_, places_, made.units.size() + i, unit(of)));
+        };
+        const auto add_foreign = [&](const jaus::address& self, const std::string& name) {
+            operators_.push_back(
+                std::make_unique<foreign_operator>(w, network_, model_, self, unit(of_foreign), of_foreign, name));
+        };
+        add_operator(0, of_a);
+        if (twin)
+            add_foreign(*twin, "twin operator");
+        else
+            add_operator(1, of_b);
+        add_foreign(component_of(5, 32), places_.back().name);
         wire_.start(*bridge_);
         network_.start();
         bridge_->start();
