@@ -226,7 +226,6 @@ void model::arrives(std::uint8_t which, std::uint32_t message, const jaus::heade
     a.was_repeat = sent != nullptr && sent->done;
     if (sent != nullptr) sent->was_refused = false;
     if (sent != nullptr && sent->arrived_at == time{}) sent->arrived_at = world_.now();
-    if (sent != nullptr && moves(sent->code)) a.motions[a.motion_count++ % a.motions.size()] = message;
     // A large data set may have waited in its sender's node, which also asks for heartbeats by itself.
     const bool is_life =
         head.command_code != large_code && head.command_code != jaus::command_code_of<jaus::query_heartbeat_pulse>;
@@ -499,19 +498,17 @@ void model::obeys(actuator_account& a, const sent_message* sent, command_number 
         breaks(contract::s5, a, sent->number, "motion commands come from the controller",
                "one of " + world_.names()[senders_[sent->sender].program->number()] + " was obeyed under control of " +
                    world_.names()[senders_[*a.controller].program->number()]);
-    // One may stand in the slave's mailbox; what waits behind it is dropped.
+    // What the slave's mailbox has got is executed; what waits behind it is dropped.
     const auto* const arm = arm_of(a);
-    if (command != 0 && arm != nullptr && !(*a.wire)[a.axes.front().slave].cyclic && a.controller &&
-        *a.controller != sent->sender && ++a.loser_executed > 1)
-        breaks(contract::s5, a, sent->number, "no queued command of another is executed after a change of control",
-               "the second one, of " + world_.names()[senders_[sent->sender].program->number()]);
-}
-
-// It came before the change of control, and waits.
-bool model::is_of_loser(const actuator_account& a, const sent_message& sent) const {
-    constexpr time order_timeout = std::chrono::milliseconds{500};
-    return a.controller && sent.sender != *a.controller && sent.destination == a.id && sent.executed == 0 &&
-           !sent.was_refused && sent.arrived_at <= a.controlled_since && world_.now() - sent.arrived_at < order_timeout;
+    if (arm == nullptr || !a.controller || (*a.wire)[a.axes.front().slave].cyclic) return;
+    constexpr time lately = std::chrono::milliseconds{500};
+    if (world_.now() - a.controlled_since < lately) world_.compares(comparison::loser_dropped);
+    const auto& slave = (*a.wire)[a.axes.front().slave];
+    if (*a.controller != sent->sender && slave.mailbox_written_at > a.controlled_since)
+        breaks(contract::s5, a, sent->number, "queued commands of another are dropped when a component gets control",
+               "one of " + world_.names()[senders_[sent->sender].program->number()] + " was sent to the slave " +
+                   in_ms(slave.mailbox_written_at - a.controlled_since) + " after " +
+                   world_.names()[senders_[*a.controller].program->number()] + " had got control");
 }
 
 // A command that stands in a slave's mailbox cannot be taken back while the slave cannot be reached or does nothing. A
@@ -665,17 +662,7 @@ void model::confirmed(actuator_account& a, const jaus::header& head, bytes body)
     jaus::confirm_component_control m{};
     const auto to = account_of(head.destination);
     if (!to || !wire::decode(m, body) || m.response_code != jaus::component_control_response::control_accepted) return;
-    if (a.controller != *to) {
-        a.loser_executed = 0;
-        a.controller = *to;
-        const auto* const arm = arm_of(a);
-        if (arm != nullptr && !(*a.wire)[a.axes.front().slave].cyclic &&
-            std::ranges::count_if(a.motions, [&](std::uint32_t number) {
-                const auto* sent = find(number);
-                return sent != nullptr && is_of_loser(a, *sent);
-            }) > 1)
-            world_.compares(comparison::loser_dropped);
-    }
+    a.controller = *to;
     a.controller_heard = world_.now();
 }
 
@@ -826,7 +813,7 @@ void model::check_known(const actuator_account& a) {
 
 // Slaves and components that nothing has happened to for some time stay in use.
 void model::check_cause(const actuator_account& a, const char* of) {
-    constexpr time some = std::chrono::seconds{2};
+    constexpr time some = std::chrono::seconds{1};
     if (a.wire == nullptr) return;
     world_.compares(comparison::kept_in_use);
     time last = a.program->running() ? last_disturbance(a) : world_.now();
@@ -843,10 +830,14 @@ void model::check_cause(const actuator_account& a, const char* of) {
            "it does not, and nothing has happened to it for " + in_ms(world_.now() - last));
 }
 
+// That of a component that has failed is reset when the next attempt at it begins; so it is in an emergency that began
+// after the failure.
 void model::check_kept(actuator_account& a) {
+    const bool is_in_use = a.state == primary_status_code::ready || a.state == primary_status_code::standby;
     for (auto& axis : a.axes) {
         const auto& slave = (*a.wire)[axis.slave];
-        if (std::exchange(axis.left_seen, slave.left_at) != slave.left_at) check_cause(a, "a slave stays in its state");
+        if (std::exchange(axis.left_seen, slave.left_at) != slave.left_at && is_in_use)
+            check_cause(a, "a slave stays in its state");
     }
 }
 

@@ -109,10 +109,7 @@ struct actuator_account {
     std::uint32_t current{};
     jaus::header head{};
     bool acknowledged{}, refused{}, was_repeat{};
-    std::vector<std::uint32_t> arrived{};   ///< messages that request acknowledgement, see note_arrival
-    std::array<std::uint32_t, 8> motions{}; ///< the last motion commands that came
-    std::uint32_t motion_count{};
-    unsigned loser_executed{}; ///< commands of others, from before the last change of control
+    std::vector<std::uint32_t> arrived{}; ///< messages that request acknowledgement, see note_arrival
     // What was in force, and when:
     time failed_since{}, not_ready_since{}, rest_seen_at{}, emergency_seen_at{}, controlled_since{};
     time entered_at{};       ///< its state
@@ -247,7 +244,6 @@ class model {
     void check_known(const actuator_account& a);
     void check_cause(const actuator_account& a, const char* of);
     void check_kept(actuator_account& a);
-    [[nodiscard]] bool is_of_loser(const actuator_account& a, const sent_message& sent) const;
     void check_watchdog(const actuator_account& a);
     void check_return(const actuator_account& a);
     void check_axis(const actuator_account& a, const axis_account& axis);

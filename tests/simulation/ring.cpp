@@ -141,6 +141,7 @@ void ring::pass(std::span<std::byte> frame, std::size_t end) {
 void ring::alter(ring_place& at, std::span<std::byte> frame) {
     ethercat::mutable_frame_view view;
     if (!view.parse(frame)) return;
+    constexpr std::uint16_t mailbox_out = ethercat::slave_description{}.mailbox_out_offset;
     constexpr std::uint16_t mailbox_in = ethercat::slave_description{}.mailbox_in_offset;
     for (auto one : view) {
         if (at.reports_error && one.header.cmd == ethercat::command::brd &&
@@ -148,6 +149,8 @@ void ring::alter(ring_place& at, std::span<std::byte> frame) {
             one.data[0] |= safe_op_with_error;
         if (one.header.adp != at.unit->slave().station_address() || one.working_counter == 0) continue;
         if (at.keeps_watchdog && one.header.cmd == ethercat::command::fpwr) keep_watchdog(at, one);
+        if (one.header.cmd == ethercat::command::fpwr && one.header.ado == mailbox_out)
+            at.mailbox_written_at = world_.now();
         if (one.header.cmd != ethercat::command::fprd) continue;
         if (one.header.ado == mailbox_in && one.data.size() >= at.last_reply.size()) {
             const auto reply = one.data.first(at.last_reply.size());

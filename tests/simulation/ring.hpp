@@ -80,6 +80,7 @@ struct ring_place {
     bool reports_error{};            ///< SAFE-OP with an error, in place of its state
     ethercat::al_state error_from{}; ///< its state when it began to
     time slow{};                     ///< it works off its mailbox once in this time; 0: with each frame
+    time mailbox_written_at{};       ///< when it has last got a message
     time left_at{};                  ///< when it has last left a state in which it works
     time shared_at{};                ///< when another slave has got its station address
     time watchdog{};                 ///< when it went to OP; 0: it has none
