@@ -54,8 +54,15 @@ enum class comparison : std::uint8_t {
     known_to_run,
     kept_in_use,
     loser_dropped,
+    motor_limits,
+    motor_moves,
+    motor_rests,
+    motor_stays,
+    sender_silent,
+    axis_wait,
+    drive_fault_told,
 };
-inline constexpr std::array<std::string_view, 22> comparison_names{"S1 acknowledged messages are executed",
+inline constexpr std::array<std::string_view, 29> comparison_names{"S1 acknowledged messages are executed",
                                                                    "S1 acknowledgements and refusals are asked for",
                                                                    "S2 confirmed stop orders have effect",
                                                                    "S2 a slave is told of an emergency",
@@ -76,7 +83,14 @@ inline constexpr std::array<std::string_view, 22> comparison_names{"S1 acknowled
                                                                    "S1 large data sets arrive",
                                                                    "S8 what is not known to run is not Ready",
                                                                    "slaves are given up and reset for a cause",
-                                                                   "S5 queued commands of the loser are dropped"};
+                                                                   "S5 queued commands of the loser are dropped",
+                                                                   "limits of joints are kept by their motors",
+                                                                   "S1 motors do what is acknowledged",
+                                                                   "S2 motors stand still when stops are confirmed",
+                                                                   "S2 motors stand still outside of Ready",
+                                                                   "S3 motors stand still without their sender",
+                                                                   "S6 waits of axes end",
+                                                                   "S8 a drive fault ends Ready"};
 /// How often each has compared something.
 using comparison_counts = std::array<std::uint64_t, comparison_names.size()>;
 

@@ -47,14 +47,56 @@ enum class fault : std::uint8_t {
     watchdog_kept,
     error_reported,
     slave_slow,
+    joint_period_changed,
+    joint_without_velocity,
+    joint_long_ramp,
+    joint_late_brake,
+    joint_lasting_fault,
+    joint_mode_refused,
+    joint_sender_silent,
 };
-inline constexpr std::array<std::string_view, 35> fault_names{
-    "datagram-lost",   "datagram-doubled", "datagram-delayed",  "network-parted",  "process-killed",  "process-frozen",
-    "clock-leap",      "same-numbers",     "number-zero",       "message-doubled", "kinds-mixed",     "body-malformed",
-    "mute-controller", "frame-lost",       "frame-delayed",     "cable-out",       "slave-frozen",    "slave-restarted",
-    "slave-aborts",    "slave-falls-back", "mailbox-recounted", "other-master",    "odd-watchdog",    "unknown-state",
-    "bridge-ended",    "frame-doubled",    "frame-damaged",     "slaves-swapped",  "station-doubled", "drive-fault",
-    "drive-unpowered", "drive-deaf",       "watchdog-kept",     "error-reported",  "slave-slow"};
+inline constexpr std::array<std::string_view, 42> fault_names{"datagram-lost",
+                                                              "datagram-doubled",
+                                                              "datagram-delayed",
+                                                              "network-parted",
+                                                              "process-killed",
+                                                              "process-frozen",
+                                                              "clock-leap",
+                                                              "same-numbers",
+                                                              "number-zero",
+                                                              "message-doubled",
+                                                              "kinds-mixed",
+                                                              "body-malformed",
+                                                              "mute-controller",
+                                                              "frame-lost",
+                                                              "frame-delayed",
+                                                              "cable-out",
+                                                              "slave-frozen",
+                                                              "slave-restarted",
+                                                              "slave-aborts",
+                                                              "slave-falls-back",
+                                                              "mailbox-recounted",
+                                                              "other-master",
+                                                              "odd-watchdog",
+                                                              "unknown-state",
+                                                              "bridge-ended",
+                                                              "frame-doubled",
+                                                              "frame-damaged",
+                                                              "slaves-swapped",
+                                                              "station-doubled",
+                                                              "drive-fault",
+                                                              "drive-unpowered",
+                                                              "drive-deaf",
+                                                              "watchdog-kept",
+                                                              "error-reported",
+                                                              "slave-slow",
+                                                              "joint-period-changed",
+                                                              "joint-without-velocity",
+                                                              "joint-long-ramp",
+                                                              "joint-late-brake",
+                                                              "joint-lasting-fault",
+                                                              "joint-mode-refused",
+                                                              "joint-sender-silent"};
 inline constexpr std::size_t fault_count = fault_names.size();
 
 [[nodiscard]] constexpr std::string_view name_of(fault kind) noexcept {
@@ -94,6 +136,7 @@ class fault_source {
         ++counts_[i];
         return true;
     }
+    [[nodiscard]] bool allows(fault kind) const noexcept { return (enabled_ & only(kind)) != 0; }
     /// One that a program makes of its own each time.
     void note(fault kind) noexcept { ++counts_[static_cast<std::size_t>(kind)]; }
     /// When to ask next about a kind that strikes once in `mean`.

@@ -93,6 +93,8 @@ class joint_system final : public actor {
         world_.at(seconds{4}, *this, command);
         if (what == joint_trial::period_changes) world_.at(seconds{5}, *this, other_user);
         if (what == joint_trial::lasting_fault) world_.at(seconds{6}, *this, fails);
+        constexpr std::array lasting{joint_trial::no_velocity, joint_trial::long_ramp, joint_trial::mode_refused};
+        if (std::ranges::find(lasting, what) != lasting.end()) world_.faults.note(*fault_of_trial(what));
     }
 
     void on_event(std::uint8_t what, std::uint32_t) override {
@@ -101,9 +103,13 @@ class joint_system final : public actor {
         case command: return give_command();
         case other_user:
             world_.in(random_.between(milliseconds{300}, seconds{2}), *this, other_user);
+            world_.faults.note(fault::joint_period_changed);
             options_.period = options_.period == settings_.period ? milliseconds{1} : settings_.period;
             return bus_.apply_options();
-        case fails: motor().disturbed.fault = cia402::error_codes::over_current; return;
+        case fails:
+            world_.faults.note(fault::joint_lasting_fault);
+            motor().disturbed.fault = cia402::error_codes::over_current;
+            return;
         default: return;
         }
     }
@@ -167,7 +173,10 @@ class joint_system final : public actor {
     void disturb() {
         auto& hurt = motor().disturbed;
         if (what_ == joint_trial::slow_enabling) {
-            if (motor().state() != cia402::state::switched_on) brake_since_ = world_.now();
+            if (motor().state() != cia402::state::switched_on)
+                brake_since_ = world_.now();
+            else if (brake_since_ != std::exchange(brake_told_, brake_since_))
+                world_.faults.note(fault::joint_late_brake);
             const bool is_closed = world_.now() - brake_since_ < settings_.brake;
             hurt.refused = is_closed ? std::optional{cia402::state::operation_enabled} : std::nullopt;
         }
@@ -186,14 +195,21 @@ class joint_system final : public actor {
                                         .target_position = motor().values.target_position,
                                         .is_operational = slave_.state() == ethercat::al_state::op,
                                         .is_disturbed = is_disturbed});
+        world_.compares(comparison::motor_limits);
         if (found) breaks(contract::limits, found->expected, found->found);
+        look_at_rest();
+        look_at_motion();
+        look_at_waits();
         tell_state();
         look_at_fault();
         if (component_->state() != jaus::primary_status_code::initialize) initialize_since_ = world_.now();
+        if (initialize_since_ != world_.now()) world_.compares(comparison::axis_wait);
         if (world_.now() - initialize_since_ > seconds{10})
             breaks(contract::s6, "an end of Initialize, with a slave that answers", "none for 10 s");
         // A few cycles, in which the loss is told to the drive, belong to the limit.
-        if (is_silent_ && world_.now() - silent_since_ > settings_.limit && motor_judge::turns(motor().velocity()))
+        const bool is_late = is_silent_ && world_.now() - silent_since_ > settings_.limit;
+        if (is_late) world_.compares(comparison::sender_silent);
+        if (is_late && motor_judge::turns(motor().velocity()))
             breaks(contract::s3, "rest within the limit after the sender's last message", velocity_text());
     }
     void tell_state() {
@@ -209,8 +225,52 @@ class joint_system final : public actor {
         const bool is_faulty =
             motor().state() == cia402::state::fault || motor().state() == cia402::state::fault_reaction_active;
         if (!is_faulty || !is_ready()) faulty_since_ = world_.now();
+        if (is_faulty) world_.compares(comparison::drive_fault_told);
         if (world_.now() - faulty_since_ > 3 * settings_.period + milliseconds{10})
             breaks(contract::s8, "Failure while the drive is in fault", "Ready");
+    }
+    // Outside of Ready it brakes by its ramp or by quick stop, and stands still.
+    void look_at_rest() {
+        if (is_ready()) ready_at_ = world_.now();
+        const double slowest = std::min(settings_.limits.acceleration, settings_.limits.quick_stop);
+        const std::chrono::duration<double> braking{settings_.limits.velocity / slowest};
+        const time most = settings_.limit + std::chrono::duration_cast<time>(braking);
+        if (world_.now() - ready_at_ <= most) return;
+        world_.compares(comparison::motor_stays);
+        if (motor_judge::turns(motor().velocity()))
+            breaks(contract::s2, "a motor that stands still outside of Ready", velocity_text());
+    }
+    // What was acknowledged and not replaced since: the velocity after the ramp, or the position after the way.
+    void look_at_motion() {
+        if (!wish_ || !is_ready()) return wish_.reset();
+        const bool is_disturbed =
+            motor().state() != cia402::state::operation_enabled || (what_ == joint_trial::silent_sender && is_silent_);
+        if (is_disturbed) return wish_.reset();
+        const auto& most = settings_.limits;
+        const double ramp = most.velocity / most.acceleration;
+        const double way = std::abs(wish_->target - wish_->from);
+        const double takes = wish_->is_position ? way / most.velocity + 2 * ramp + 0.3 : 2 * ramp + 0.2;
+        if (std::chrono::duration<double>(world_.now() - wish_->since).count() < takes) return;
+        const double is = wish_->is_position ? motor().position() : motor().velocity();
+        const bool is_at_limit = !wish_->is_position && std::abs(motor().position()) > 0.9 * most.max_position;
+        constexpr double of_position = 100;
+        const double tolerance = wish_->is_position ? of_position : 0.05 * most.velocity + motor_judge::standstill;
+        if (!is_at_limit) world_.compares(comparison::motor_moves);
+        if (!is_at_limit && std::abs(is - wish_->target) > tolerance)
+            breaks(contract::s1,
+                   std::string{"the motor at the acknowledged "} + (wish_->is_position ? "position " : "velocity ") +
+                       std::to_string(std::llround(wish_->target)),
+                   "it is at " + std::to_string(std::llround(is)));
+        wish_.reset();
+    }
+    // A message that asks for it has its acknowledgement or refusal in time.
+    void look_at_waits() {
+        if (asked_.empty()) return;
+        world_.compares(comparison::axis_wait);
+        constexpr auto long_enough = seconds{5};
+        if (world_.now() - asked_.front().at > long_enough)
+            breaks(contract::s6, "an answer to each message within 5 s",
+                   "none to command code " + std::to_string(asked_.front().code));
     }
     [[nodiscard]] std::string velocity_text() {
         return "the motor turns at " + std::to_string(std::llround(motor().velocity())) + "/s";
@@ -222,6 +282,10 @@ class joint_system final : public actor {
                                 .destination = self,
                                 .source = operator_control_unit,
                                 .sequence_number = ++sequence_};
+        if (acknowledgement == jaus::ack_nak::request) {
+            wish_.reset();
+            asked_.push_back({head.sequence_number, head.command_code, world_.now(), wish_of(body)});
+        }
         std::array<std::byte, 128> space{};
         const auto encoded = wire::encode(body, space);
         static_cast<void>(component_->on_message(
@@ -229,10 +293,33 @@ class joint_system final : public actor {
         bus_.on_time(now(), out_);
     }
 
+    struct wish {
+        double target{}, from{};
+        bool is_position{};
+        time since{};
+    };
+    struct asked {
+        std::uint16_t number{}, code{};
+        time at{};
+        std::optional<wish> wanted{};
+    };
+    [[nodiscard]] std::optional<wish> wish_of(const auto&) const { return std::nullopt; }
+    [[nodiscard]] std::optional<wish> wish_of(const jaus::basic_set_joint_positions<1>& body) const {
+        const auto& most = settings_.limits;
+        return wish{.target = std::clamp(body.joint_position[0] * increments, most.min_position, most.max_position),
+                    .is_position = true};
+    }
+    [[nodiscard]] std::optional<wish> wish_of(const jaus::basic_set_joint_velocities<1>& body) const {
+        return wish{.target = body.joint_velocity[0] * increments};
+    }
+
     void give_command() {
         world_.in(random_.between(milliseconds{200}, seconds{2}), *this, command);
         if (what_ == joint_trial::silent_sender && motor_judge::turns(motor().velocity()) && random_.below(3) == 0) {
-            if (!std::exchange(is_silent_, true)) silent_since_ = world_.now();
+            if (!std::exchange(is_silent_, true)) {
+                silent_since_ = world_.now();
+                world_.faults.note(fault::joint_sender_silent);
+            }
             return;
         }
         is_silent_ = false;
@@ -278,8 +365,15 @@ class joint_system final : public actor {
         if (!jaus::is_acknowledgement(head)) return;
         const bool is_acknowledged = head.ack_nak == jaus::ack_nak::ack;
         const auto code = head.command_code;
+        if (const auto of = std::ranges::find(asked_, head.sequence_number, &asked::number); of != asked_.end()) {
+            const bool is_last = std::next(of) == asked_.end();
+            if (is_acknowledged && is_last) wish_ = of->wanted;
+            if (wish_) wish_->since = world_.now(), wish_->from = motor().position();
+            asked_.erase(of);
+        }
         const bool is_stop =
             code == jaus::command_code_of<jaus::standby> || code == jaus::command_code_of<jaus::set_emergency>;
+        if (is_stop && is_acknowledged) world_.compares(comparison::motor_rests);
         if (is_stop && is_acknowledged && motor_judge::turns(motor().velocity()))
             breaks(contract::s2, "rest when a stop order is acknowledged", velocity_text());
         const bool is_motion = code == jaus::command_code_of<jaus::set_joint_velocities> ||
@@ -315,7 +409,9 @@ class joint_system final : public actor {
     unsigned refusals_{};
     jaus::primary_status_code told_state_{};
     bool is_silent_{};
-    time silent_since_{}, pulse_at_{}, faulty_since_{}, initialize_since_{}, brake_since_{};
+    time silent_since_{}, pulse_at_{}, faulty_since_{}, initialize_since_{}, brake_since_{}, brake_told_{}, ready_at_{};
+    std::optional<wish> wish_{};
+    std::deque<asked> asked_{};
 };
 
 } // namespace

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace simulation {
 
@@ -22,6 +23,13 @@ enum class joint_trial : std::uint8_t {
 inline constexpr unsigned joint_trial_count = 8;
 [[nodiscard]] constexpr joint_trial joint_trial_of(std::uint64_t seed) noexcept {
     return static_cast<joint_trial>(seed % joint_trial_count);
+}
+
+/// Counted as this one each time.
+[[nodiscard]] constexpr std::optional<fault> fault_of_trial(joint_trial what) noexcept {
+    if (what == joint_trial::plain) return std::nullopt;
+    constexpr auto first = static_cast<unsigned>(fault::joint_period_changed) - 1;
+    return static_cast<fault>(first + static_cast<unsigned>(what));
 }
 
 /// It runs until its end.

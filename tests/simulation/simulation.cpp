@@ -264,7 +264,10 @@ run_result run(const settings& what) {
         const jaus_system system{w, what};
         w.run(what.length);
     } else if (kind == system_kind::joints) {
-        const auto system = make_joint_system(w, joint_trial_of(what.seed));
+        const auto trial = joint_trial_of(what.seed);
+        const auto kind_of_trial = fault_of_trial(trial);
+        const bool is_allowed = !kind_of_trial || w.faults.allows(*kind_of_trial);
+        const auto system = make_joint_system(w, is_allowed ? trial : joint_trial::plain);
         w.run(what.length);
     } else {
         const bridge_system system{w, what, kind};
