@@ -9,6 +9,24 @@ using std::chrono::milliseconds;
 
 constexpr auto nothing_more = [](const jaus::header&, bytes) { return jaus::message_outcome::unhandled; };
 
+/// What a queue, a merge or a choice did to a command.
+const char* text_of(bridging::refusal why) {
+    using enum bridging::refusal;
+    switch (why) {
+    case slave_down: return "the slave is lost";
+    case queue_full: return "the queue of the slave is full";
+    case too_large: return "it is too large";
+    case expired: return "it has waited in the queue for too long";
+    case superseded: return "a newer command of the same sender has replaced it";
+    case stopped: return "a stop order or a change of control came before it";
+    case not_translated: return "it has no translation";
+    case by_slave: return "the slave or the master has refused it";
+    case not_accepted: return "the slave has not executed it in time";
+    case stale: return "the inputs of the slave are too old";
+    }
+    return "of an unknown cause";
+}
+
 jaus::address unit_id(const place& at) {
     return {.instance = 1, .component = 33, .node = at.jausip.node, .subsystem = at.jausip.subsystem};
 }
@@ -81,9 +99,13 @@ struct bridge_program::life_data {
         const auto& now = who.control().controller();
         mine.model_.controlled(account(who), now ? std::optional{now->address} : std::nullopt);
     }
+    void refused(const bridging::component& who, const jaus::header& message, const bridging::refusal_reason& why) {
+        mine.model_.drops(account(who), message, text_of(why.why));
+    }
     [[nodiscard]] bridging::observer observer() {
         return {.changed_state = jaus::bound<&life_data::changed_state>(*this),
-                .changed_controller = jaus::bound<&life_data::changed_controller>(*this)};
+                .changed_controller = jaus::bound<&life_data::changed_controller>(*this),
+                .refused = jaus::bound<&life_data::refused>(*this)};
     }
     [[nodiscard]] std::uint8_t account(const bridging::component& who) const {
         for (std::size_t i = 0; i != mine.accounts_.size(); ++i)

@@ -171,6 +171,7 @@ bool model::has_not_paused(const jaus::address& source) const {
 void model::delivers_large(const process& at, const jaus::header& head, bytes body) {
     const auto identity = identity_of_large(body);
     world_.compares(comparison::large_data);
+    if (body.size() > 256 * jaus::max_body_size) world_.compares(comparison::long_data);
     world_.tell({.what = deed::delivers_large,
                  .who = at.number(),
                  .code = head.command_code,
@@ -442,6 +443,26 @@ void model::handled(std::uint8_t which) {
     if (sent->code == jaus::command_code_of<jaus::release_component_control> && a.controller == sent->sender &&
         !a.was_repeat && !a.refused)
         a.controller.reset();
+}
+
+void model::drops(std::uint8_t which, const jaus::header& head, const char* why) {
+    const auto from = account_of(head.source);
+    if (!from) return;
+    const auto& account = senders_[*from];
+    std::uint32_t message = 0;
+    for (std::size_t i = 0; message == 0 && i != std::min<std::size_t>(account.count, account.last.size()); ++i) {
+        const auto* known = find(account.last[(account.count - 1 - i) % account.last.size()]);
+        if (known != nullptr && known->code == head.command_code && known->sequence_number == head.sequence_number &&
+            known->destination == actuators_[which].id)
+            message = known->number;
+    }
+    world_.tell({.what = deed::drops,
+                 .who = actuators_[which].number,
+                 .whom = account.program->number(),
+                 .code = head.command_code,
+                 .number = head.sequence_number,
+                 .message = message,
+                 .why = why});
 }
 
 void model::take_emergency_codes(actuator_account& a, const sent_message& sent) {

@@ -191,6 +191,8 @@ class model {
     void arrives(std::uint8_t which, std::uint32_t message, const jaus::header& head);
     void answers(std::uint8_t which, bytes message);
     void handled(std::uint8_t which);
+    /// A command that waited is not executed; `why`: a literal.
+    void drops(std::uint8_t which, const jaus::header& head, const char* why);
     /// What its motors do: the application got a command, or has brought them to rest.
     void executes(std::uint8_t which, command_number command);
     void rests(std::uint8_t which);

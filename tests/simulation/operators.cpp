@@ -45,12 +45,13 @@ intent next_intent(generator& random, bool has_control, bool holds_emergency, bo
 // ---------------------------------------------------------------------------------------------------- of the library
 
 operator_program::operator_program(world& w, network& n, model& m, const std::vector<place>& places, std::size_t which,
-                                   const target_unit& target)
+                                   const target_unit& target, bool sends_long_data)
     : node_program{w, n, m, places, which},
       id_{.instance = 1, .component = 32, .node = 1, .subsystem = places[which].jausip.subsystem},
       target_{target.id},
       joints_{target.joints},
-      account_{m.add_sender(*this, id_)} {
+      account_{m.add_sender(*this, id_)},
+      sends_long_data_{sends_long_data} {
     world_.in(world_.faults.pause(fault::mute_controller, std::chrono::seconds{5}), *this, to_mute);
 }
 
@@ -130,7 +131,10 @@ void operator_program::query_motion() {
 }
 
 void operator_program::send_large() {
-    large_.resize(jaus::max_body_size + 1 + random_.below(20'000));
+    constexpr std::uint32_t one_in = 10;
+    const bool is_long = sends_long_data_ && random_.below(one_in) == 0;
+    const std::size_t packets = is_long ? 257 + random_.below(16) : 1;
+    large_.resize(packets * jaus::max_body_size + 1 + random_.below(is_long ? jaus::max_body_size : 20'000));
     const auto identity = std::uint64_t{account_} << 32U | ++large_made_;
     fill_large(large_, identity);
     const bool asks = random_.below(4) != 0;

@@ -38,7 +38,7 @@ struct target_unit {
 class operator_program final : public node_program {
   public:
     operator_program(world& w, network& n, model& m, const std::vector<place>& places, std::size_t which,
-                     const target_unit& target);
+                     const target_unit& target, bool sends_long_data = false);
 
   protected:
     void add_components(net::node_machine& node) override;
@@ -79,6 +79,7 @@ class operator_program final : public node_program {
     bool holds_emergency_{};
     std::uint16_t plain_number_{};
     time asks_since_{};
+    bool sends_long_data_; ///< also sets of more than 256 packets
     std::uint64_t large_made_{};
     std::vector<std::byte> large_{};
 };

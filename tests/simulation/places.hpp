@@ -15,6 +15,7 @@ namespace net = jauscat::net;
 struct place {
     std::string name{};
     jauscat::jaus::address jausip{}; ///< with 0 for what it has all of
+    std::size_t large_data_memory{std::size_t{256} << 10U};
 };
 
 inline constexpr std::uint32_t first_ip = 0x0A000001;
@@ -34,7 +35,7 @@ inline constexpr std::uint16_t udp_port = 3794;
                                 .jausip = places[i].jausip,
                                 .ip = endpoint_of(static_cast<std::uint8_t>(i)).address(),
                                 .port = udp_port,
-                                .limits = {.large_data_memory = std::size_t{256} << 10U}});
+                                .limits = {.large_data_memory = places[i].large_data_memory}});
     return made;
 }
 

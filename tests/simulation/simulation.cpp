@@ -45,6 +45,10 @@ class jaus_system {
         // Where a robot has two actuators, its place has both.
         at("robot a", 2, 33);
         at("robot b", 3, 33);
+        // Memory for sets of more than 256 packets takes long to get, so only a part of the runs has it.
+        const bool has_long_data = w.stream(1005).below(3) == 0;
+        if (has_long_data)
+            for (auto& each : places_) each.large_data_memory = std::size_t{10} << 20U;
         at("operator a", 1, 32);
         at("operator b", 4, 32);
         const auto twin = twin_of_foreign(w);
@@ -62,7 +66,7 @@ class jaus_system {
             made.instance = static_cast<std::uint8_t>(1 + random_instance.below(instances_[id - 2U]));
             return target_unit{made};
         };
-        add<operator_program>(2U, unit_of(some_robot()));
+        add<operator_program>(2U, unit_of(some_robot()), has_long_data);
         const auto robot_of_b = some_robot();
         const auto robot_of_foreign = some_robot();
         const auto unit_of_foreign = unit_of(robot_of_foreign);
@@ -74,7 +78,7 @@ class jaus_system {
         if (twin)
             add_foreign(*twin, 3);
         else
-            add<operator_program>(3U, unit_of(robot_of_b));
+            add<operator_program>(3U, unit_of(robot_of_b), has_long_data);
         add_foreign(component_of(5, 32), 4);
         network_.start();
         for (auto& one : processes_)
@@ -237,7 +241,7 @@ class bridge_system {
 bool is_chatter(deed what) {
     return what == deed::sends || what == deed::gets || what == deed::loses || what == deed::doubles ||
            what == deed::delays || what == deed::hears_acknowledged || what == deed::hears_refused ||
-           what == deed::hears_nothing || what == deed::acknowledges || what == deed::refuses;
+           what == deed::hears_nothing || what == deed::acknowledges || what == deed::refuses || what == deed::drops;
 }
 
 } // namespace

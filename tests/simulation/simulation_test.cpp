@@ -135,6 +135,14 @@ TEST_CASE("a violation is reported with the expected and the found value, and th
     result.story = {
         {.at = 1s, .what = deed::dies, .who = 3},
         {.at = 1s, .what = deed::sends, .who = 2, .whom = 1, .code = 0x0003, .number = 8, .message = 3},
+        {.at = 1s,
+         .what = deed::drops,
+         .who = 1,
+         .whom = 2,
+         .code = 0x0003,
+         .number = 8,
+         .message = 3,
+         .why = "a newer command of the same sender has replaced it"},
         {.at = 2s, .what = deed::acknowledges, .who = 1, .whom = 2, .code = 0x0003, .number = 8, .message = 3}};
     const auto text = story_text({.seed = 4711}, result);
     REQUIRE(text == R"(S2: stop orders come first, and are repeated until they are confirmed
@@ -142,6 +150,7 @@ TEST_CASE("a violation is reported with the expected and the found value, and th
   expected  rest
   found     motion
       1.0000 s  operator sends to robot: Standby 0003h, number 8 (message 3)
+      1.0000 s  robot does not execute of operator: Standby 0003h, number 8 (message 3), because a newer command of the same sender has replaced it
       2.0000 s  robot acknowledges to operator: Standby 0003h, number 8 (message 3)
 )");
 }

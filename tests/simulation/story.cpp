@@ -49,6 +49,8 @@ std::string text_of(const happening& one, const std::vector<std::string>& names)
     case deed::joins: return "the network is whole again from " + name(one.who) + " to " + name(one.whom);
     case deed::acknowledges: return name(one.who) + " acknowledges to " + name(one.whom) + ": " + message();
     case deed::refuses: return name(one.who) + " refuses (NAK) to " + name(one.whom) + ": " + message();
+    case deed::drops:
+        return name(one.who) + " does not execute of " + name(one.whom) + ": " + message() + ", because " + one.why;
     case deed::hears_acknowledged: return name(one.who) + " learns that it was acknowledged: " + message();
     case deed::hears_refused: return name(one.who) + " learns that it was refused: " + message();
     case deed::hears_nothing: return name(one.who) + " gives up, no acknowledgement: " + message();

@@ -26,6 +26,7 @@ enum class deed : std::uint8_t {
     joins,              //
     acknowledges,       ///< code, sequence number, message
     refuses,            ///< with NAK
+    drops,              ///< does not execute what waited; code, sequence number, message, why
     hears_acknowledged, ///< code, sequence number
     hears_refused,      //
     hears_nothing,      ///< gave up
@@ -42,7 +43,7 @@ enum class deed : std::uint8_t {
     ring,               ///< something of EtherCAT; number: which (ring_deed), value
 };
 
-/// 32 bytes for each.
+/// 40 bytes for each.
 struct happening {
     time at{};
     deed what{};
@@ -52,6 +53,7 @@ struct happening {
     std::uint16_t number{};
     std::uint32_t message{}; ///< the world's number for it, the same for all its copies; 0: has none
     std::uint32_t value{};
+    const char* why{}; ///< a literal, of the cause; not in the digest
 };
 
 /// One line without the time.
