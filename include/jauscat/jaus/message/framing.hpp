@@ -88,19 +88,54 @@ constexpr framed_message next_message(const framed_message& before) noexcept {
     return next.message.empty() ? framed_message{before.how, {}, before.rest} : next;
 }
 
-/// What a datagram is that is no message of RA 3.2 or 3.3, where its first bytes say it; else empty.
-constexpr std::string_view foreign_form(std::span<const std::byte> datagram) noexcept {
+/// The generations of JAUS over UDP, which share a port.
+enum class datagram_form : std::uint8_t {
+    unknown,          ///< none of these
+    bare,             ///< a message of RA 3.2 or 3.3 alone
+    jaus01,           ///< the same behind `JAUS01.0`
+    judp1,            ///< AS5669-2007: messages of RA 3.x
+    judp1_compressed, ///< the same with header compression
+    judp2,            ///< AS5669A: messages of SAE services
+};
+
+/// The form in one line, for logs.
+[[nodiscard]] constexpr std::string_view describe(datagram_form form) noexcept {
+    switch (form) {
+    case datagram_form::unknown: return "no known form of JAUS";
+    case datagram_form::bare: return "a bare message of RA 3.2 or 3.3";
+    case datagram_form::jaus01: return "JAUS01.0";
+    case datagram_form::judp1: return "AS5669-2007";
+    case datagram_form::judp1_compressed: return "AS5669-2007 with header compression";
+    case datagram_form::judp2: return "SAE JAUS (AS5669A, version 2)";
+    }
+    return "unknown form";
+}
+
+/// What the first bytes of a datagram say that it is. A bare message has its version, 2, in its second byte, where
+/// AS5669A has the message type, 0.
+[[nodiscard]] constexpr datagram_form form_of(std::span<const std::byte> datagram) noexcept {
     const auto number = [&](std::size_t at) { return std::to_integer<unsigned>(datagram[at]); };
+    const framing how = remove_framing(datagram).how;
+    if (how == framing::jaus01) return datagram_form::jaus01;
+    if (how == framing::judp1) return datagram_form::judp1;
     if (datagram.size() >= 15 && number(0) == 2 && (number(1) & 0x3F) == 0) {
         const std::size_t size = number(2) | number(3) << 8;
-        if (size >= 14 && size < datagram.size()) return "SAE JAUS (AS5669A, version 2), which is not supported";
+        if (size >= 14 && size < datagram.size()) return datagram_form::judp2;
     }
     if (datagram.size() >= 5 && number(0) == 1 && (number(1) != 0 || number(2) != 0) && (number(1) & 0x3F) != 2) {
         const std::size_t size = number(3) << 8 | number(4);
-        if (size != 0 && size <= datagram.size() - 5)
-            return "AS5669-2007 with header compression, which is not supported";
+        if (size != 0 && size <= datagram.size() - 5) return datagram_form::judp1_compressed;
     }
-    return {};
+    return datagram.size() >= 16 && (number(1) & 0x3F) == 2 ? datagram_form::bare : datagram_form::unknown;
+}
+
+/// What a datagram is that is no message of RA 3.2 or 3.3, where its first bytes say it; else empty.
+constexpr std::string_view foreign_form(std::span<const std::byte> datagram) noexcept {
+    switch (form_of(datagram)) {
+    case datagram_form::judp2: return "SAE JAUS (AS5669A, version 2), which is not supported";
+    case datagram_form::judp1_compressed: return "AS5669-2007 with header compression, which is not supported";
+    default: return {};
+    }
 }
 
 } // namespace jauscat::jaus
