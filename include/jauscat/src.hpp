@@ -119,6 +119,10 @@
 #include <jauscat/net/node/impl/jaus_node.ipp>
 #include <jauscat/net/node/impl/node_machine.ipp>
 #include <jauscat/net/node/impl/own_manager.ipp>
+#include <jauscat/sae/transport/impl/duplicate_filter.ipp>
+#include <jauscat/sae/transport/impl/fragments.ipp>
+#include <jauscat/sae/transport/impl/packet_queue.ipp>
+#include <jauscat/sae/transport/impl/peer_table.ipp>
 #include <jauscat/text/impl/from_text.ipp>
 #include <jauscat/text/impl/input.ipp>
 #include <jauscat/text/impl/print.ipp>

@@ -12,7 +12,7 @@ namespace wire = jauscat::wire;
 using jauscat::test::hex_literal;
 using sae::transport_errc;
 
-constexpr sae::address controller{20, 1, 126}, component{10, 1, 126};
+constexpr sae::jaus_id controller{20, 1, 126}, component{10, 1, 126};
 constexpr auto request_control = hex_literal<17>("001100190a017e0014017e000d00c80100");
 constexpr auto acknowledge = hex_literal<14>("000e003114017e000a017e000100");
 
@@ -38,9 +38,9 @@ TEST_CASE("an SAE address is sent as component, node, subsystem") {
     std::array<std::byte, 4> out{};
     REQUIRE(wire::encode(component, out));
     REQUIRE(support::equal(out, hex_literal<4>("0a017e00")));
-    sae::address got{};
+    sae::jaus_id got{};
     REQUIRE(wire::decode(got, hex_literal<4>("0a01feca")));
-    REQUIRE(got == sae::address{10, 1, 0xCAFE});
+    REQUIRE(got == sae::jaus_id{10, 1, 0xCAFE});
 }
 
 TEST_CASE("properties have priority, broadcast, acknowledgement and data flag at their bits") {
@@ -49,11 +49,11 @@ TEST_CASE("properties have priority, broadcast, acknowledgement and data flag at
     STATIC_REQUIRE(properties({.priority = sae::priority::safety_critical}) == std::byte{3});
     STATIC_REQUIRE(properties({.broadcast = sae::broadcast::local}) == std::byte{1 | 1 << 2});
     STATIC_REQUIRE(properties({.broadcast = sae::broadcast::global}) == std::byte{1 | 2 << 2});
-    STATIC_REQUIRE(properties({.ack_nak = sae::ack_nak::request}) == std::byte{1 | 1 << 4});
-    STATIC_REQUIRE(properties({.ack_nak = sae::ack_nak::nak}) == std::byte{1 | 2 << 4});
-    STATIC_REQUIRE(properties({.ack_nak = sae::ack_nak::ack}) == std::byte{1 | 3 << 4});
-    STATIC_REQUIRE(properties({.data_flag = sae::data_flag::first}) == std::byte{1 | 1 << 6});
-    STATIC_REQUIRE(properties({.data_flag = sae::data_flag::last}) == std::byte{1 | 3 << 6});
+    STATIC_REQUIRE(properties({.acknowledgement = sae::acknowledgement::request}) == std::byte{1 | 1 << 4});
+    STATIC_REQUIRE(properties({.acknowledgement = sae::acknowledgement::nak}) == std::byte{1 | 2 << 4});
+    STATIC_REQUIRE(properties({.acknowledgement = sae::acknowledgement::ack}) == std::byte{1 | 3 << 4});
+    STATIC_REQUIRE(properties({.fragment_flag = sae::fragment_flag::first}) == std::byte{1 | 1 << 6});
+    STATIC_REQUIRE(properties({.fragment_flag = sae::fragment_flag::last}) == std::byte{1 | 3 << 6});
 }
 
 TEST_CASE("Request Control of the capture splits into its parts and joins to its bytes") {
@@ -61,8 +61,8 @@ TEST_CASE("Request Control of the capture splits into its parts and joins to its
     STATIC_REQUIRE(m);
     STATIC_REQUIRE(m.header.priority == sae::priority::standard);
     STATIC_REQUIRE(m.header.broadcast == sae::broadcast::global);
-    STATIC_REQUIRE(m.header.ack_nak == sae::ack_nak::request);
-    STATIC_REQUIRE(m.header.data_flag == sae::data_flag::single);
+    STATIC_REQUIRE(m.header.acknowledgement == sae::acknowledgement::request);
+    STATIC_REQUIRE(m.header.fragment_flag == sae::fragment_flag::single);
     STATIC_REQUIRE(m.header.destination == component);
     STATIC_REQUIRE(m.header.source == controller);
     STATIC_REQUIRE(support::equal(m.payload, hex_literal<3>("0d00c8")));
@@ -143,7 +143,7 @@ TEST_CASE("what is not for sending is not joined") {
     CHECK(join_error(with(&head::broadcast, static_cast<sae::broadcast>(3))) == transport_errc::invalid_header);
     CHECK(join_error(with(&head::priority, static_cast<sae::priority>(4))) == transport_errc::invalid_header);
     CHECK(join_error(with(&head::source, sae::everybody)) == transport_errc::invalid_source);
-    CHECK(join_error(with(&head::destination, sae::address{0, 1, 126})) == transport_errc::invalid_destination);
+    CHECK(join_error(with(&head::destination, sae::jaus_id{0, 1, 126})) == transport_errc::invalid_destination);
     CHECK(join_error(with(&head::destination, sae::everybody)) == transport_errc::ok);
     std::array<std::byte, 14> out{};
     CHECK(sae::join(good, hex_literal<1>("00"), 0, out).error() == transport_errc::no_space);
@@ -169,14 +169,14 @@ TEST_CASE("each part of a destination may be a wildcard") {
 }
 
 TEST_CASE("addresses as text have their subsystem first") {
-    STATIC_REQUIRE(sae::address_text{component}.view() == "126.1.10");
-    STATIC_REQUIRE(sae::address_text{sae::everybody}.view() == "65535.255.255");
-    STATIC_REQUIRE(sae::address_text{sae::address{}}.view() == "0.0.0");
-    STATIC_REQUIRE(sae::parse_address("126.1.10") == component);
-    STATIC_REQUIRE(sae::parse_address("65535.255.255") == sae::everybody);
+    STATIC_REQUIRE(sae::jaus_id_text{component}.view() == "126.1.10");
+    STATIC_REQUIRE(sae::jaus_id_text{sae::everybody}.view() == "65535.255.255");
+    STATIC_REQUIRE(sae::jaus_id_text{sae::jaus_id{}}.view() == "0.0.0");
+    STATIC_REQUIRE(sae::parse_jaus_id("126.1.10") == component);
+    STATIC_REQUIRE(sae::parse_jaus_id("65535.255.255") == sae::everybody);
     for (const std::string_view wrong : {"", "1", "1.2", "1.2.3.4", "1..3", ".1.2", "1.2.", "1.2.256", "65536.1.1",
                                          "1.256.1", "a.1.1", "-1.1.1", " 1.1.1", "01.1.1", "99999999999.1.1"})
-        CHECK_FALSE(sae::parse_address(wrong));
+        CHECK_FALSE(sae::parse_jaus_id(wrong));
 }
 
 TEST_CASE("each error has a text") {

@@ -1,8 +1,8 @@
 // Joins header, payload and sequence number to a message of AS5669A, and splits messages.
 #pragma once
 #include <jauscat/base/result.hpp>
-#include <jauscat/sae/transport/address.hpp>
 #include <jauscat/sae/transport/errc.hpp>
+#include <jauscat/sae/transport/jaus_id.hpp>
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/encode.hpp>
 
@@ -99,13 +99,13 @@ inline constexpr std::size_t compression_size = wire::max_size<compression_field
 
 /// Whether it is a reply to a packet, which is not acknowledged itself.
 [[nodiscard]] constexpr bool is_acknowledgement(const transport_header& head) noexcept {
-    return head.ack_nak == ack_nak::ack || head.ack_nak == ack_nak::nak;
+    return head.acknowledgement == acknowledgement::ack || head.acknowledgement == acknowledgement::nak;
 }
 
 /// The header of a reply (`how`) to a packet, from `self`; its sequence number is that of the packet.
-[[nodiscard]] constexpr transport_header acknowledgement_of(const transport_header& request, const address& self,
-                                                            ack_nak how = ack_nak::ack) noexcept {
-    return {.priority = request.priority, .ack_nak = how, .destination = request.source, .source = self};
+[[nodiscard]] constexpr transport_header acknowledgement_of(const transport_header& request, const jaus_id& self,
+                                                            acknowledgement how = acknowledgement::ack) noexcept {
+    return {.priority = request.priority, .acknowledgement = how, .destination = request.source, .source = self};
 }
 
 } // namespace jauscat::sae

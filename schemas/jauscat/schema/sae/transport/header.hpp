@@ -8,14 +8,14 @@ namespace jauscat::sae {
 
 /// A JAUS ID, written subsystem.node.component. Assignable: subsystem 1 to 65534, node and component 1 to 254. The
 /// highest number of a part is its wildcard.
-struct address {
+struct jaus_id {
     std::uint8_t component{};
     std::uint8_t node{};
     std::uint16_t subsystem{};
-    friend constexpr bool operator==(const address&, const address&) = default;
+    friend constexpr bool operator==(const jaus_id&, const jaus_id&) = default;
 
     struct schema : wire::items {
-        using T = address;
+        using T = jaus_id;
         using type = layout<
             field<&T::component, u8>,
             field<&T::node, u8>,
@@ -39,7 +39,7 @@ enum class broadcast : std::uint8_t {
 };
 
 /// Properties, bits 4 and 5.
-enum class ack_nak : std::uint8_t {
+enum class acknowledgement : std::uint8_t {
     none = 0,    ///< no reply wanted
     request = 1, ///< reply wanted
     nak = 2,     ///< negative reply
@@ -47,7 +47,7 @@ enum class ack_nak : std::uint8_t {
 };
 
 /// Properties, bits 6 and 7: the packet's place in a message of several packets.
-enum class data_flag : std::uint8_t {
+enum class fragment_flag : std::uint8_t {
     single = 0,
     first = 1,
     middle = 2,
@@ -69,10 +69,10 @@ struct transport_header {
     std::uint16_t size{};               ///< bytes of the message: header, payload and sequence number
     sae::priority priority{sae::priority::standard}; ///< of the message
     sae::broadcast broadcast{};         ///< reach of the message
-    sae::ack_nak ack_nak{};             ///< acknowledgement asked for or given
-    sae::data_flag data_flag{};         ///< place in a message of several packets
-    address destination{};              ///< may have wildcards
-    address source{};                   ///< names one component
+    sae::acknowledgement acknowledgement{}; ///< acknowledgement asked for or given
+    sae::fragment_flag fragment_flag{}; ///< place in a message of several packets
+    jaus_id destination{};              ///< may have wildcards
+    jaus_id source{};                   ///< names one component
     friend constexpr bool operator==(const transport_header&, const transport_header&) = default;
 
     struct schema : wire::items {
@@ -85,8 +85,8 @@ struct transport_header {
             bit_fields<u8,
                 bit_field<&T::priority, 2>,
                 bit_field<&T::broadcast, 2>,
-                bit_field<&T::ack_nak, 2>,
-                bit_field<&T::data_flag, 2>>,
+                bit_field<&T::acknowledgement, 2>,
+                bit_field<&T::fragment_flag, 2>>,
             nested<&T::destination>,
             nested<&T::source>>;
     };

@@ -12,32 +12,32 @@ namespace jauscat::sae {
 /// The wildcards: every component, every node, every subsystem.
 inline constexpr std::uint8_t all_components = 0xFF, all_nodes = 0xFF;
 inline constexpr std::uint16_t all_subsystems = 0xFFFF;
-inline constexpr address everybody{all_components, all_nodes, all_subsystems};
+inline constexpr jaus_id everybody{all_components, all_nodes, all_subsystems};
 
-[[nodiscard]] constexpr bool has_wildcard(const address& a) noexcept {
+[[nodiscard]] constexpr bool has_wildcard(const jaus_id& a) noexcept {
     return a.component == all_components || a.node == all_nodes || a.subsystem == all_subsystems;
 }
 /// Whether a part is 0, which is not assignable.
-[[nodiscard]] constexpr bool has_zero(const address& a) noexcept {
+[[nodiscard]] constexpr bool has_zero(const jaus_id& a) noexcept {
     return a.component == 0 || a.node == 0 || a.subsystem == 0;
 }
-[[nodiscard]] constexpr bool names_one_component(const address& a) noexcept { return !has_wildcard(a) && !has_zero(a); }
+[[nodiscard]] constexpr bool names_one_component(const jaus_id& a) noexcept { return !has_wildcard(a) && !has_zero(a); }
 
 /// Whether a received message to `destination` is for `component`. A part that is a wildcard matches every number, and
 /// so does a part of 0: peers send it where they do not know the number. 0.0.0 matches none.
-[[nodiscard]] constexpr bool covers(const address& destination, const address& component) noexcept {
+[[nodiscard]] constexpr bool covers(const jaus_id& destination, const jaus_id& component) noexcept {
     const auto part = [](unsigned pattern, unsigned all, unsigned number) {
         return pattern == number || pattern == all || pattern == 0;
     };
-    return destination != address{} && part(destination.subsystem, all_subsystems, component.subsystem) &&
+    return destination != jaus_id{} && part(destination.subsystem, all_subsystems, component.subsystem) &&
            part(destination.node, all_nodes, component.node) &&
            part(destination.component, all_components, component.component);
 }
 
-/// An address as text, "126.1.10"; wildcards as the numbers that they are.
-class address_text {
+/// A JAUS ID as text, "126.1.10"; wildcards as the numbers that they are.
+class jaus_id_text {
   public:
-    constexpr explicit address_text(const address& a) noexcept {
+    constexpr explicit jaus_id_text(const jaus_id& a) noexcept {
         put(a.subsystem);
         text_[size_++] = '.';
         put(a.node);
@@ -57,9 +57,9 @@ class address_text {
     std::size_t size_{};
 };
 
-/// The address of a text such as "126.1.10": three decimal numbers. Nothing for other text, and for numbers that are
+/// The JAUS ID of a text such as "126.1.10": three decimal numbers. Nothing for other text, and for numbers that are
 /// too large. Zeros and wildcards are accepted.
-[[nodiscard]] constexpr std::optional<address> parse_address(std::string_view text) noexcept {
+[[nodiscard]] constexpr std::optional<jaus_id> parse_jaus_id(std::string_view text) noexcept {
     constexpr std::array<unsigned, 3> most{0xFFFF, 0xFF, 0xFF};
     std::array<unsigned, 3> parts{};
     std::size_t part = 0, digits = 0;
@@ -75,7 +75,7 @@ class address_text {
         ++digits;
     }
     if (part + 1 != parts.size() || digits == 0) return {};
-    return address{static_cast<std::uint8_t>(parts[2]), static_cast<std::uint8_t>(parts[1]),
+    return jaus_id{static_cast<std::uint8_t>(parts[2]), static_cast<std::uint8_t>(parts[1]),
                    static_cast<std::uint16_t>(parts[0])};
 }
 
