@@ -16,6 +16,8 @@ enum class transport_errc : std::uint8_t {
     invalid_source,      ///< the source does not name one component
     invalid_destination, ///< a part of the destination is 0
     not_one_component,   ///< wildcard or broadcast, where only one component can acknowledge or get several packets
+    local_destination,   ///< sending: the destination is a component of this transport
+    no_message_id,       ///< the payload is shorter than a message ID
     invalid_header,      ///< a value of the header is wider than its bits, or not for sending
     too_large,           ///< more bytes than a packet, or the receiver's memory, holds
     no_space,            ///< the output span is too small
@@ -40,6 +42,8 @@ enum class transport_errc : std::uint8_t {
     case transport_errc::invalid_destination: return "invalid destination: a part of the destination ID is 0";
     case transport_errc::not_one_component:
         return "not one component: a broadcast is neither acknowledged nor sent in several packets";
+    case transport_errc::local_destination: return "local destination: the component is not behind the network";
+    case transport_errc::no_message_id: return "no message ID: the payload has fewer than 2 bytes";
     case transport_errc::invalid_header: return "invalid header: a value is wider than its field, or not for sending";
     case transport_errc::too_large: return "too large: the message exceeds the packet size or the receiver's memory";
     case transport_errc::no_space: return "no space: the output buffer is too small";
