@@ -119,6 +119,10 @@
 #include <jauscat/net/node/impl/jaus_node.ipp>
 #include <jauscat/net/node/impl/node_machine.ipp>
 #include <jauscat/net/node/impl/own_manager.ipp>
+#include <jauscat/net/sae/impl/jserial_link.ipp>
+#include <jauscat/net/sae/impl/jtcp_link.ipp>
+#include <jauscat/net/sae/impl/judp_link.ipp>
+#include <jauscat/net/sae/impl/transport_driver.ipp>
 #include <jauscat/sae/transport/impl/duplicate_filter.ipp>
 #include <jauscat/sae/transport/impl/fragments.ipp>
 #include <jauscat/sae/transport/impl/packet_queue.ipp>

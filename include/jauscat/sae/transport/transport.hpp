@@ -177,6 +177,9 @@ class transport {
         }
     }
 
+    /// Counts a datagram of another form that the medium has recognised.
+    constexpr void count_foreign(jaus::datagram_form form) noexcept { ++counters_.of(form); }
+
     /// Queues a message; returns the sequence number of its first packet. Errors: unknown_source, invalid_destination,
     /// local_destination, unknown_peer, not_one_component, no_message_id, too_large, no_capacity, invalid_header.
     [[nodiscard]] JAUSCAT_CONSTEXPR result<std::uint16_t, transport_errc>

@@ -1,0 +1,90 @@
+// The functions of judp_link.
+#pragma once
+#include <jauscat/net/detail/endpoint_text.hpp>
+#include <jauscat/net/sae/judp_link.hpp>
+
+#include <algorithm>
+#include <random>
+#include <string>
+
+namespace jauscat::net {
+inline namespace JAUSCAT_WAY {
+
+JAUSCAT_DECL const judp_link::endpoint& judp_link::checked(const endpoint& local) {
+    if (!local.address().is_v4())
+        throw open_error{{.code = errc::invalid_address,
+                          .message = "JUDP cannot use " + detail::text(local) + ": give an address of IPv4"}};
+    return local;
+}
+
+JAUSCAT_DECL judp_link::judp_link(boost::asio::io_context& context, sae::transport& transport,
+                                  const judp_options& options)
+    : accepted_{options.accepted},
+      limit_{options.limit, std::random_device{}()},
+      socket_{context, checked(options.local), options.socket},
+      driver_{context, transport, [this](const sae::outgoing_datagram& datagram) { put(datagram); }} {
+    if (options.group) {
+        group_ = endpoint{options.group->group, options.group->port};
+        socket_.join(*options.group);
+        socket_.send_multicast_by(*options.group);
+    }
+    socket_.set_filter([this](std::span<const std::byte>, const endpoint& from, jaus::framing) { return check(from); });
+}
+
+JAUSCAT_DECL void judp_link::start(sae_handlers handlers, ra_handler on_ra_message) {
+    driver_.start(std::move(handlers));
+    on_ra_message_ = std::move(on_ra_message);
+    socket_.start([this](std::span<const std::byte> message, const endpoint& from,
+                         jaus::framing framing) { received(message, from, framing); },
+                  [this](std::string_view text) { driver_.report(text); });
+}
+
+JAUSCAT_DECL void judp_link::stop() {
+    driver_.stop();
+    socket_.stop();
+}
+
+JAUSCAT_DECL sae::endpoint_key judp_link::key_of(const endpoint& from) noexcept {
+    return {std::uint64_t{from.address().to_v4().to_uint()} << 16 | from.port()};
+}
+
+JAUSCAT_DECL judp_link::endpoint judp_link::endpoint_of(sae::endpoint_key key) noexcept {
+    return {boost::asio::ip::address_v4{static_cast<std::uint32_t>(key.value >> 16)},
+            static_cast<std::uint16_t>(key.value & 0xFFFF)};
+}
+
+JAUSCAT_DECL verdict judp_link::check(const endpoint& from) {
+    const auto ip = from.address().to_v4();
+    if (!accepted_.empty() && std::ranges::find(accepted_, ip) == accepted_.end()) return verdict::unknown_peer;
+    return limit_.take({0, ip.to_uint()}, now()) ? verdict::accepted : verdict::rate_limited;
+}
+
+JAUSCAT_DECL void judp_link::received(std::span<const std::byte> message, const endpoint& from, jaus::framing framing) {
+    auto form = jaus::datagram_form::judp1; // the transport did not see what the socket has removed
+    if (framing == jaus::framing::jaus01) form = jaus::datagram_form::jaus01;
+    if (framing == jaus::framing::bare)
+        form = driver_.on_datagram(key_of(from), message);
+    else
+        driver_.transport().count_foreign(form);
+    if (form == jaus::datagram_form::judp2) return;
+    if (on_ra_message_ && form != jaus::datagram_form::unknown && form != jaus::datagram_form::judp1_compressed)
+        on_ra_message_(message, from, framing);
+    else
+        name(form, from);
+}
+
+JAUSCAT_DECL void judp_link::name(jaus::datagram_form form, const endpoint& from) {
+    bool& is_named = is_named_[static_cast<std::size_t>(form)];
+    if (std::exchange(is_named, true)) return;
+    driver_.report("a datagram from " + detail::text(from) + " is dropped: it is " + std::string{describe(form)} +
+                   ", which is not served here; the next ones are only counted");
+}
+
+JAUSCAT_DECL void judp_link::put(const sae::outgoing_datagram& datagram) {
+    if (!datagram.to && !group_) return; // the transport sends nothing to a group that it does not have
+    const auto to = datagram.to ? endpoint_of(*datagram.to) : *group_;
+    if (const auto sent = socket_.send(datagram.bytes, to); !sent) driver_.report(sent.error().message);
+}
+
+} // namespace JAUSCAT_WAY
+} // namespace jauscat::net

@@ -1,0 +1,106 @@
+// SAE JAUS over TCP with Boost.Asio: connections that are accepted, and connections that are made.
+#pragma once
+
+#include <jauscat/base/compilation.hpp>
+#include <jauscat/net/open_error.hpp>
+#include <jauscat/net/rate_limit.hpp>
+#include <jauscat/net/sae/transport_driver.hpp>
+#include <jauscat/sae/transport/judp.hpp>
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace jauscat::net {
+inline namespace JAUSCAT_WAY {
+
+struct jtcp_options {
+    /// Where connections are accepted; nothing: none.
+    std::optional<boost::asio::ip::tcp::endpoint> listen{
+        boost::asio::ip::tcp::endpoint{boost::asio::ip::tcp::v4(), sae::jaus_port}};
+    std::size_t max_connections{16};     ///< others are closed at once
+    std::size_t message_size{8192};      ///< largest received message, header included
+    std::size_t max_waiting{256 * 1024}; ///< bytes that wait to be sent by a connection; what exceeds it is dropped
+    /// Hosts whose connections are accepted; empty: all.
+    std::vector<boost::asio::ip::address> accepted{};
+    /// Messages of one connection.
+    rate limit{.per_second = 50'000, .burst = 5'000};
+};
+
+/// Counts since construction.
+struct jtcp_counters {
+    std::uint64_t accepted{};     ///< connections
+    std::uint64_t connected{};    ///< connections that were made
+    std::uint64_t unknown_peer{}; ///< connections of hosts that are not accepted
+    std::uint64_t no_capacity{};  ///< connections above the limit
+    std::uint64_t wrong{};        ///< connections closed because of a wrong version or size
+    std::uint64_t rate_limited{}; ///< messages above the limit
+    std::uint64_t dropped{};      ///< messages not sent because too many bytes waited
+};
+
+/// Sends and receives the messages of a transport over TCP; a broadcast goes to every connection. Use it from the
+/// thread that runs the io_context.
+class jtcp_link {
+  public:
+    using endpoint = boost::asio::ip::tcp::endpoint;
+
+    /// Opens the port. `transport` must outlive it. Throws `open_error`.
+    JAUSCAT_DECL jtcp_link(boost::asio::io_context& context, sae::transport& transport,
+                           const jtcp_options& options = {});
+    JAUSCAT_DECL ~jtcp_link();
+    jtcp_link(const jtcp_link&) = delete;
+    jtcp_link& operator=(const jtcp_link&) = delete;
+
+    /// Accepts connections while the io_context runs.
+    JAUSCAT_DECL void start(sae_handlers handlers);
+    /// Makes a connection; call after start. If that fails, the error handler gets a line.
+    JAUSCAT_DECL void connect(const endpoint& to);
+    /// Closes all connections. No handler is called afterwards.
+    JAUSCAT_DECL void stop();
+
+    /// See sae::transport::send.
+    result<std::uint16_t, sae::transport_errc> send(const sae::outgoing_message& message,
+                                                    std::span<const std::byte> payload) {
+        return driver_.send(message, payload);
+    }
+
+    /// Where connections are accepted.
+    endpoint local() const { return acceptor_.local_endpoint(); }
+    /// Number of open connections.
+    [[nodiscard]] std::size_t connections() const noexcept { return connections_.size(); }
+    const jtcp_counters& counts() const noexcept { return counters_; }
+
+  private:
+    struct connection;
+
+    JAUSCAT_DECL void accept();
+    JAUSCAT_DECL void accepted(boost::asio::ip::tcp::socket socket);
+    JAUSCAT_DECL void open(boost::asio::ip::tcp::socket socket);
+    JAUSCAT_DECL void receive(const std::shared_ptr<connection>& from);
+    JAUSCAT_DECL void received(connection& from, std::span<const std::byte> bytes);
+    JAUSCAT_DECL void put(const sae::outgoing_datagram& datagram);
+    JAUSCAT_DECL void write(const std::shared_ptr<connection>& to, std::span<const std::byte> message);
+    JAUSCAT_DECL void close(std::uint64_t key);
+
+    boost::asio::io_context& context_;
+    jtcp_options options_;
+    boost::asio::ip::tcp::acceptor acceptor_;
+    boost::asio::steady_timer pause_; ///< after a failure to accept
+    transport_driver driver_;
+    std::map<std::uint64_t, std::shared_ptr<connection>> connections_{}; ///< by their keys in the transport
+    std::uint64_t last_key_{};
+    jtcp_counters counters_{};
+    std::shared_ptr<char> alive_{std::make_shared<char>()};
+};
+
+} // namespace JAUSCAT_WAY
+} // namespace jauscat::net
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/net/sae/impl/jtcp_link.ipp>
+#endif

@@ -1,0 +1,5 @@
+// SAE JAUS over UDP, TCP and serial lines.
+#include <jauscat/net/sae/impl/jserial_link.ipp>
+#include <jauscat/net/sae/impl/jtcp_link.ipp>
+#include <jauscat/net/sae/impl/judp_link.ipp>
+#include <jauscat/net/sae/impl/transport_driver.ipp>
