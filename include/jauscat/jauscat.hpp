@@ -47,6 +47,9 @@
 #include <jauscat/jaus/message/stream_framer.hpp>
 #include <jauscat/jaus/routing/node_manager.hpp>
 #include <jauscat/jaus/routing/router.hpp>
+#include <jauscat/sae/transport/jserial.hpp>
+#include <jauscat/sae/transport/jtcp.hpp>
+#include <jauscat/sae/transport/transport.hpp>
 #include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>

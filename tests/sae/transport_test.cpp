@@ -240,3 +240,15 @@ TEST_CASE("an acknowledged message to nobody times out after its attempts") {
     CHECK(done->destination == component);
     CHECK_FALSE(m.transport.next_event());
 }
+
+TEST_CASE("a closed transport hears configured components alone") {
+    machine m{{{component}}, {.is_closed = true}};
+    CHECK(m.transport.fix(controller, {7}));
+    m.receive(from_hex("02 00 1000 11 0A017E00 14017E00 0220 0100"), 0s, 7);
+    m.receive(from_hex("02 00 1000 11 0A017E00 15017E00 0220 0100"), 0s, 7);
+    CHECK(m.received.size() == 1);
+    CHECK(m.transport.counts().unknown_source == 1);
+    CHECK(m.transport.peers().find({21, 1, 126}) == nullptr);
+    CHECK(next(m).to == "7");
+    CHECK(next(m).to == "none");
+}

@@ -73,6 +73,8 @@ struct transport_options {
     std::size_t payload_size{usual_payload_size};
     /// Whether the medium can send to all at once: a multicast group, every open connection, a serial line.
     bool has_group{true};
+    /// Whether packets are processed of components alone that `fix` has configured.
+    bool is_closed{};
     /// Repetition of packets that want an acknowledgement.
     retry_policy retry{.interval = std::chrono::milliseconds{250}, .attempts = 4};
     /// How long received packets are remembered; see duplicate_filter.
@@ -110,7 +112,7 @@ struct outgoing_datagram {
     [[nodiscard]] constexpr std::span<const std::byte> message() const noexcept { return bytes.subspan(1); }
 };
 
-/// Counts since construction. Each received packet is in one of the first eight or in `faults`.
+/// Counts since construction. Each received packet is in one of the first nine or in `faults`.
 struct transport_counters {
     std::uint64_t packets{};        ///< processed: messages, and parts of them
     std::uint64_t replies{};        ///< acknowledgements of packets that waited for them
@@ -118,6 +120,7 @@ struct transport_counters {
     std::uint64_t repeated{};       ///< received before
     std::uint64_t not_here{};       ///< for no component of this transport
     std::uint64_t own{};            ///< sent by a component of this transport: the group's loopback, or a forgery
+    std::uint64_t unknown_source{}; ///< of a component that a closed transport does not have
     std::uint64_t wrong_endpoint{}; ///< the source is configured for another endpoint
     std::uint64_t no_capacity{};    ///< dropped because memory was full
     std::uint64_t delivered{};      ///< messages passed on
@@ -128,6 +131,7 @@ struct transport_counters {
     std::array<std::uint64_t, 8> foreign{}; ///< datagrams of other forms, by jaus::datagram_form
 
     [[nodiscard]] constexpr std::uint64_t& of(transport_errc why) noexcept {
+        static_assert(static_cast<std::size_t>(transport_errc::noise) < std::tuple_size_v<decltype(faults)>);
         return faults[static_cast<std::size_t>(why)];
     }
     [[nodiscard]] constexpr std::uint64_t& of(jaus::datagram_form form) noexcept {

@@ -44,6 +44,13 @@ JAUSCAT_CONSTEXPR transport::processed transport::process(endpoint_key from, con
         ++counters_.own;
         return {};
     }
+    if (options_.is_closed) {
+        const known_peer* const peer = peers_.find(head.source);
+        if (peer == nullptr || !peer->is_fixed) {
+            ++counters_.unknown_source;
+            return {};
+        }
+    }
     const learnt where = peers_.on_packet(head.source, from, now);
     if (where == learnt::wrong_endpoint) {
         ++counters_.wrong_endpoint;
