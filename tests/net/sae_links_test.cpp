@@ -331,6 +331,48 @@ TEST_CASE("connections of another version, of other hosts and above the limit ar
     CHECK(link.connections() == 0);
 }
 
+TEST_CASE("links that are destroyed while they send leave no handler behind") {
+    boost::asio::io_context context;
+    station here{controller}, there{component};
+    std::optional<net::jtcp_link> to{std::in_place, context, there.transport,
+                                     net::jtcp_options{.listen = tcp::endpoint{loopback, 0}}};
+    std::optional<net::jtcp_link> from{std::in_place, context, here.transport, net::jtcp_options{.listen = {}}};
+    to->start(there.handlers());
+    from->start(here.handlers());
+    from->connect(to->local());
+    REQUIRE(support::until(context, [&] { return from->connections() == 1 && to->connections() == 1; }));
+    for (const auto end : {true, false}) {
+        auto& link = end ? from : to;
+        REQUIRE(link->send({.source = end ? controller : component,
+                            .destination = sae::everybody,
+                            .broadcast = sae::broadcast::global},
+                           from_hex("002b 02")));
+    }
+    from.reset();
+    to.reset();
+    context.restart();
+    context.run();
+    CHECK(here.received.empty());
+    CHECK(there.received.empty());
+}
+
+TEST_CASE("a link may be stopped by its handler") {
+    boost::asio::io_context context;
+    station there{component};
+    net::jtcp_link link{context, there.transport, {.listen = tcp::endpoint{loopback, 0}}};
+    there.on_message = [&](const sae::received_message&) { link.stop(); };
+    link.start(there.handlers());
+    tcp::socket peer{context};
+    peer.connect(link.local());
+    const auto two = from_hex("02 00 1100 11 0A017E00 14017E00 0D00 C8 0100 00 1100 01 0A017E00 14017E00 0D00 C8 0200");
+    boost::asio::write(peer, boost::asio::buffer(two));
+    REQUIRE(support::until(context, [&] { return !there.received.empty(); }));
+    context.restart();
+    context.run();
+    CHECK(there.received.size() == 1);
+    CHECK(link.connections() == 0);
+}
+
 TEST_CASE("a connection that is refused is reported") {
     boost::asio::io_context context;
     station here{controller};

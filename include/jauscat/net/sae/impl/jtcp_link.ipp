@@ -132,7 +132,10 @@ JAUSCAT_DECL void jtcp_link::open(boost::asio::ip::tcp::socket socket) {
     boost::system::error_code ignored;
     socket.set_option(boost::asio::ip::tcp::no_delay{true}, ignored);
     const auto key = ++last_key_;
-    const auto opened = std::make_shared<connection>(std::move(socket), key, options_, [this, key] { close(key); });
+    const auto opened = std::make_shared<connection>(std::move(socket), key, options_,
+                                                     [this, key, token = std::weak_ptr<char>{alive_}] {
+                                                         if (!token.expired()) close(key);
+                                                     });
     connections_.emplace(key, opened);
     receive(opened);
 }
