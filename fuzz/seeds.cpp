@@ -1,6 +1,7 @@
 // Writes the inputs that fuzzing starts from, a folder per target: the golden messages, the captures and the example
 // configuration, each in the form that its target reads.
 #include "schema/vectors.hpp"
+#include "support/hex.hpp"
 #include "support/objects.hpp"
 #include "support/paths.hpp"
 #include "support/pcap.hpp"
@@ -202,6 +203,23 @@ void write_packets(const std::filesystem::path& root) {
     packets.add(all);
 }
 
+// Datagrams of the capture and serial frames, in the form of fuzz/sae_transport.cpp.
+void write_sae_transport(const std::filesystem::path& root) {
+    seed_folder transport{root, "sae_transport"};
+    byte_vector all{std::byte{5}};
+    for (const auto& frame : test::read_pcap("sae_management.pcap")) {
+        constexpr std::size_t udp = 34; // no frame of this capture has options of IP
+        const auto size = std::to_integer<std::size_t>(frame.at(udp + 5)) - 8;
+        for (const auto value : {size, std::size_t{1}, std::to_integer<std::size_t>(frame.at(29))})
+            all.push_back(static_cast<std::byte>(value));
+        append(all, std::span{frame}.subspan(udp + 8, size));
+    }
+    transport.add(all);
+    transport.add(test::from_hex("03 10010210100010021a1900101000010a017e002201c8000220010010031c73"));
+    transport.add(test::from_hex("03 100102140010027a7e001400010a017e002201c80002201010031010101002001003fc48"));
+    transport.add(test::from_hex("03 02 001000010a017e002201c80002200100"));
+}
+
 void write_configurations(const std::filesystem::path& root, const std::filesystem::path& example) {
     seed_folder config{root, "config"};
     const auto add = [&config](const std::filesystem::path& path) {
@@ -229,6 +247,7 @@ int main(int count, char** arguments) {
         write_traffic(root);
         write_segments(root);
         write_packets(root);
+        write_sae_transport(root);
         write_configurations(root, arguments[2]);
     } catch (const std::exception& error) {
         std::cerr << "fuzz_seeds: " << error.what() << '\n';
