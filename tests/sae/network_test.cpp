@@ -19,6 +19,15 @@ using bytes = std::vector<std::byte>;
 
 constexpr sae::jaus_id one{1, 1, 1}, two{1, 1, 2};
 
+/// All packets that a transport has counted as received.
+std::uint64_t received_by(const sae::transport& transport) {
+    const auto& c = transport.counts();
+    std::uint64_t sum = c.packets + c.replies + c.late_replies + c.repeated + c.not_here + c.own + c.unknown_source +
+                        c.wrong_endpoint + c.no_capacity;
+    for (const auto count : c.faults) sum += count;
+    return sum;
+}
+
 /// A payload that is found again by its number.
 bytes payload_of(std::uint16_t number, std::size_t size) {
     bytes payload(size);
@@ -106,20 +115,26 @@ TEST_CASE("any bytes give messages or counted errors") {
     bytes buffer(128);
     sae::jserial_reader serial{buffer};
     bytes stream_buffer(128);
-    std::uint64_t messages = 0;
+    std::uint64_t messages = 0, expected = 0;
     for (int round = 0; round != 20'000; ++round) {
         bytes any(random() % 80);
         for (auto& b : any) b = static_cast<std::byte>(random() % 4 == 0 ? 0x10 : random());
         if (!any.empty() && round % 2 == 0) any[0] = std::byte{2};
+        if (sae::is_judp2(any))
+            for (sae::datagram_reader packets{any}; packets.has_next(); ++expected) static_cast<void>(packets.next());
         m.receive(any, std::chrono::milliseconds{round}, random() % 4);
         serial.on_bytes(any, [&](const sae::serial_frame& f) {
             if (f) ++messages;
         });
         sae::jtcp_reader stream{stream_buffer};
-        stream.on_bytes(any, [&](const auto& packet) { m.transport.on_packet({9}, packet, {}, [](const auto&) {}); });
+        stream.on_bytes(any, [&](const auto& packet) {
+            ++expected;
+            m.transport.on_packet({9}, packet, {}, [](const auto&) {});
+        });
         while (m.transport.next_datagram(jauscat::time_point{} + std::chrono::milliseconds{round})) continue;
     }
     CHECK(messages == 0);
+    CHECK(received_by(m.transport) == expected); // each packet is counted once
 }
 
 TEST_CASE("each cut and each changed byte of a datagram gives messages or counted errors") {
@@ -138,6 +153,11 @@ TEST_CASE("each cut and each changed byte of a datagram gives messages or counte
             machine m{{{one}}};
             m.receive(changed, 0s);
             CHECK(m.received.size() <= 3);
+            std::uint64_t expected = 0;
+            if (sae::is_judp2(changed))
+                for (sae::datagram_reader packets{changed}; packets.has_next(); ++expected)
+                    static_cast<void>(packets.next());
+            CHECK(received_by(m.transport) == expected);
             while (m.transport.next_datagram({})) continue;
         }
 }

@@ -193,7 +193,7 @@ TEST_CASE("other forms of JAUS at the port are named and counted") {
     CHECK(m.receive(from_hex("01 0000 0010 0602020001210203042005060000 0000"), 0s) == jaus::datagram_form::judp1);
     CHECK(m.receive(from_hex("4a41555330312e30 0602020001210203042005060000 0000"), 0s) == jaus::datagram_form::jaus01);
     CHECK(m.receive(from_hex("ff"), 0s) == jaus::datagram_form::unknown);
-    auto counts = m.transport.counts();
+    const auto& counts = m.transport.counts();
     CHECK(counts.of(jaus::datagram_form::bare) == 1);
     CHECK(counts.of(jaus::datagram_form::judp1) == 1);
     CHECK(counts.of(jaus::datagram_form::jaus01) == 1);
@@ -209,7 +209,7 @@ TEST_CASE("faulty packets are counted by their error, and those behind them are 
     m.receive(from_hex("02 00 1000 01 0A017E00 14017E00 0220 05"), 0s);
     m.receive(from_hex("02 01 1000 01 0A017E00 14017E00 0220 0600"), 0s);
     CHECK(m.received.size() == 2);
-    auto counts = m.transport.counts();
+    const auto& counts = m.transport.counts();
     CHECK(counts.of(transport_errc::compressed) == 1);
     CHECK(counts.of(transport_errc::no_message_id) == 1);
     CHECK(counts.of(transport_errc::truncated) == 1);

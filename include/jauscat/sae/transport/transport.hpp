@@ -137,13 +137,19 @@ struct transport_counters {
     [[nodiscard]] constexpr std::uint64_t& of(jaus::datagram_form form) noexcept {
         return foreign[static_cast<std::size_t>(form)];
     }
+    [[nodiscard]] constexpr std::uint64_t of(transport_errc why) const noexcept {
+        return faults[static_cast<std::size_t>(why)];
+    }
+    [[nodiscard]] constexpr std::uint64_t of(jaus::datagram_form form) const noexcept {
+        return foreign[static_cast<std::size_t>(form)];
+    }
     friend constexpr bool operator==(const transport_counters&, const transport_counters&) = default;
 };
 
 /// Sends and receives messages of AS5669A for the components of a node.
 ///
 /// A packet with acknowledgement request for one component is acknowledged once it is processed; one that memory cannot
-/// take is not, so it is repeated. A message that is sent with acknowledgement is delivered once, or times out.
+/// take is not, so it is repeated. A message that is acknowledged was delivered once; one that is not, once or never.
 ///
 /// A destination that was not heard gets its packet by the group, as a global broadcast with acknowledgement request,
 /// as known peers do it: the reply says where the destination is.
