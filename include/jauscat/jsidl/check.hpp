@@ -15,8 +15,8 @@ inline namespace JAUSCAT_WAY {
 /// The largest number of an unsigned type; of a signed or floating-point one, that of the unsigned type of its size.
 [[nodiscard]] JAUSCAT_DECL std::uint64_t most_of(scalar type) noexcept;
 
-/// The last but one part of a service's URI, as an identifier: `core` of urn:jaus:jss:core:Events. Empty if the URI has no
-/// such part.
+/// The last but one part of a service's URI, as an identifier: `core` of urn:jaus:jss:core:Events. Empty if the URI has
+/// no such part.
 [[nodiscard]] JAUSCAT_DECL std::string set_of(std::string_view service_id);
 
 namespace detail {

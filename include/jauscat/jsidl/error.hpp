@@ -1,4 +1,5 @@
-// Errors of JSIDL files and service definitions: a code to branch on, the element concerned, and a line for the operator.
+// Errors of JSIDL files and service definitions: a code to branch on, the element concerned, and a line for the
+// operator.
 #pragma once
 
 #include <cstddef>

@@ -25,8 +25,7 @@ struct jsidl_text {
 ///
 ///     const auto services = jsidl::read_jsidl({{"Sonar.xml", "SonarTypes.xml"}});
 ///     if (!services) return std::cerr << describe(services.error()) << '\n', 1;
-[[nodiscard]] JAUSCAT_DECL result<std::vector<service>, error>
-read_jsidl(std::span<const std::filesystem::path> files);
+[[nodiscard]] JAUSCAT_DECL result<std::vector<service>, error> read_jsidl(std::span<const std::filesystem::path> files);
 
 /// The same for texts in memory.
 [[nodiscard]] JAUSCAT_DECL result<std::vector<service>, error> parse_jsidl(std::span<const jsidl_text> texts);

@@ -26,7 +26,7 @@ enum class kind : std::uint8_t {
     array,          ///< the child, as often as the product of the dimensions says
     record,
     sequence,
-    list, ///< a count, then the child as often
+    list,    ///< a count, then the child as often
     variant, ///< a tag, then the child with this number
 };
 
@@ -70,6 +70,9 @@ struct element {
     std::uint32_t index{};                   ///< choice_form, format: the number on the wire
     std::string format{};                    ///< blob, format
     std::vector<element> children{};
+    /// list: elements that the message holds; 0: they are in memory of the caller. No file says so: the writer of
+    /// schemas does.
+    std::size_t capacity{};
     std::size_t line{}; ///< of the file, from 1
 
     /// Equal on the wire and in its names. The lines are not compared.
@@ -78,7 +81,7 @@ struct element {
                a.presence == b.presence && a.unit == b.unit && a.scale == b.scale && a.names == b.names &&
                a.ranges == b.ranges && a.min_count == b.min_count && a.max_count == b.max_count &&
                a.dimensions == b.dimensions && a.first_bit == b.first_bit && a.last_bit == b.last_bit &&
-               a.index == b.index && a.format == b.format && a.children == b.children;
+               a.index == b.index && a.format == b.format && a.children == b.children && a.capacity == b.capacity;
     }
 };
 
@@ -91,8 +94,8 @@ struct message {
     std::size_t line{};
 
     friend bool operator==(const message& a, const message& b) {
-        return a.name == b.name && a.id == b.id && a.is_command == b.is_command &&
-               a.is_deprecated == b.is_deprecated && a.body == b.body;
+        return a.name == b.name && a.id == b.id && a.is_command == b.is_command && a.is_deprecated == b.is_deprecated &&
+               a.body == b.body;
     }
 };
 

@@ -42,11 +42,11 @@ inline std::string text_of(const std::filesystem::path& path) {
 [[noreturn]] inline void fail(errc code, std::string_view source, std::size_t line, std::string_view element,
                               const std::string& what) {
     const std::string name{element};
-    throw jsidl_error{
-        {.code = code,
-         .element = name,
-         .line = line,
-         .message = std::string{source} + ':' + std::to_string(line) + (name.empty() ? ": " : ": <" + name + ">: ") + what}};
+    throw jsidl_error{{.code = code,
+                       .element = name,
+                       .line = line,
+                       .message = std::string{source} + ':' + std::to_string(line) +
+                                  (name.empty() ? ": " : ": <" + name + ">: ") + what}};
 }
 
 } // namespace jauscat::jsidl::detail

@@ -37,8 +37,7 @@ class document {
     /// `source` is the file's name in messages.
     document(std::string_view text, std::string source) : text_{text::as_utf8(text)}, source_{std::move(source)} {
         for (std::size_t at = 0; (at = text_.find('\n', at)) != text_.npos; ++at) line_ends_.push_back(at);
-        const auto parsed =
-            document_.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
+        const auto parsed = document_.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
         if (!parsed)
             detail::fail(errc::not_xml, source_, line_at(parsed.offset), "",
                          std::string{"not well-formed XML: "} + parsed.description());
@@ -70,8 +69,7 @@ class document {
         const auto value = with_single_spaces(node.attribute(name).value());
         if (value.empty() || value == "false" || value == "0") return false;
         if (value == "true" || value == "1") return true;
-        fail(errc::invalid_value, node,
-             std::string{name} + "=" + text::quoted(value) + ", expected true or false");
+        fail(errc::invalid_value, node, std::string{name} + "=" + text::quoted(value) + ", expected true or false");
     }
     [[nodiscard]] std::optional<pugi::xml_node> child(pugi::xml_node parent, std::string_view name) const {
         std::optional<pugi::xml_node> found;

@@ -71,7 +71,8 @@ class service_check {
                 if ((!new_name || !new_id) && !(*same_name->second == each && same_id->second == &*same_name->second))
                     fail(errc::duplicate, each.line, "message_def",
                          each.name + " has the name or the ID of " +
-                             (new_id ? same_name : names.find(identifier(same_id->second->name, "message")))->second->name +
+                             (new_id ? same_name : names.find(identifier(same_id->second->name, "message")))
+                                 ->second->name +
                              ", which is another message");
             }
     }
@@ -133,15 +134,15 @@ class service_check {
         if (each.scale && (is_floating(each.type) || each.type > scalar::u64))
             fail(errc::unsupported, each,
                  "a scaled number in a signed or floating-point type: implementations disagree on its value");
-        if (each.scale && !each.names.empty())
-            fail(errc::unsupported, each, "a scaled number with named values");
+        if (each.scale && !each.names.empty()) fail(errc::unsupported, each, "a scaled number with named values");
         if (is_floating(each.type) && !each.names.empty())
             fail(errc::unsupported, each, "a floating-point number with named values");
         check_names(each, bits_of(each.type));
     }
     void check_names(const element& each, std::size_t bits) const {
         const bool is_signed = each.kind != kind::bit_part && each.type > scalar::u64;
-        const double most = is_signed ? std::ldexp(1.0, static_cast<int>(bits) - 1) : std::ldexp(1.0, static_cast<int>(bits));
+        const double most =
+            is_signed ? std::ldexp(1.0, static_cast<int>(bits) - 1) : std::ldexp(1.0, static_cast<int>(bits));
         std::set<std::int64_t> values;
         for (const auto& named : each.names) {
             const auto value = static_cast<double>(named.value);
@@ -184,8 +185,7 @@ class service_check {
             if (child.optional) fail(errc::inconsistent, child, "an alternative cannot be optional");
     }
     void check_presence(const element& each) const {
-        const auto optionals =
-            static_cast<std::size_t>(std::ranges::count_if(each.children, &element::optional));
+        const auto optionals = static_cast<std::size_t>(std::ranges::count_if(each.children, &element::optional));
         if (!each.presence && optionals != 0)
             fail(errc::inconsistent, *std::ranges::find_if(each.children, &element::optional),
                  "is optional, but " + text::quoted(each.name) + " has no presence vector");
@@ -232,8 +232,9 @@ inline void check_sets(std::span<const service> services) {
         for (const auto* const list : {&one.inputs, &one.outputs})
             for (const auto& each : *list) {
                 const std::pair here{&one, &each};
-                for (const auto& known : {by_id.emplace(std::pair{set, each.id}, here).first->second,
-                                          by_name.emplace(key{set, identifier(each.name, "message")}, here).first->second})
+                for (const auto& known :
+                     {by_id.emplace(std::pair{set, each.id}, here).first->second,
+                      by_name.emplace(key{set, identifier(each.name, "message")}, here).first->second})
                     if (!(*known.second == each))
                         fail(errc::inconsistent, one.source, each.line, "message_def",
                              each.name + " differs from " + known.second->name + " in " + known.first->source + ':' +

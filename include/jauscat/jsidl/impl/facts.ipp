@@ -213,7 +213,8 @@ class facts_reader {
         return made;
     }
     element read_element(std::size_t depth) {
-        const auto* const known = std::ranges::find(kind_words, words_.front(), [](const auto& each) { return each.first; });
+        const auto* const known =
+            std::ranges::find(kind_words, words_.front(), [](const auto& each) { return each.first; });
         if (known == kind_words.end()) fail("\"" + words_.front() + "\" is no kind of element");
         element made{.kind = known->second, .line = line_};
         std::size_t i = 1;

@@ -79,8 +79,7 @@ class service_reader {
                      .line = at.file->line_of(at.node)};
         check_header(at, set);
         made.body = content(at, set, "body");
-        if (content(at, set, "footer"))
-            at.file->fail(errc::unsupported, at.node, "has a footer that is not empty");
+        if (content(at, set, "footer")) at.file->fail(errc::unsupported, at.node, "has a footer that is not empty");
         return made;
     }
 
@@ -107,7 +106,8 @@ class service_reader {
             made = read_element({at.file, each}, set);
         }
         if (made && made->optional)
-            at.file->fail(errc::inconsistent, at.node, "the element in it is optional, but no presence vector is before it");
+            at.file->fail(errc::inconsistent, at.node,
+                          "the element in it is optional, but no presence vector is before it");
         return made;
     }
 
@@ -184,7 +184,8 @@ class service_reader {
                 made.children.push_back(read_element({at.file, each}, set));
             } else if (name != "description") {
                 at.file->fail(errc::unexpected, each,
-                              is_record ? "a record has fields only" : "a sequence has records, lists, variants and sequences only");
+                              is_record ? "a record has fields only"
+                                        : "a sequence has records, lists, variants and sequences only");
             }
         }
     }
@@ -216,10 +217,12 @@ class service_reader {
             const auto name = kind_name(each);
             if (name == "dimension") {
                 const auto size = integer({at.file, each}, set, "size");
-                if (size == 0 || size > 0xFFFF) at.file->fail(errc::invalid_value, each, "expected a size from 1 to 65535");
+                if (size == 0 || size > 0xFFFF)
+                    at.file->fail(errc::invalid_value, each, "expected a size from 1 to 65535");
                 made.dimensions.push_back(static_cast<std::uint32_t>(size));
             } else if (is_field(name)) {
-                if (!made.children.empty()) at.file->fail(errc::unexpected, each, "the second field here, expected one");
+                if (!made.children.empty())
+                    at.file->fail(errc::unexpected, each, "the second field here, expected one");
                 made.children.push_back(read_element({at.file, each}, set));
             } else if (name != "description") {
                 at.file->fail(errc::unexpected, each, "an array has a field and dimensions only");
@@ -351,7 +354,8 @@ class service_reader {
         for (const auto& [name, type] : scalar_names)
             if (name == written) return type;
         at.file->fail(errc::invalid_value, at.node,
-                      std::string{attribute} + "=" + text::quoted(written) + ", expected a type such as \"unsigned byte\" or \"float\"");
+                      std::string{attribute} + "=" + text::quoted(written) +
+                          ", expected a type such as \"unsigned byte\" or \"float\"");
     }
     static scalar unsigned_type(located at, const char* attribute) {
         const auto type = number_type(at, attribute);
@@ -364,8 +368,7 @@ class service_reader {
     struct open_element {
         open_element(const service_reader& of, located at) : reader{of} {
             const std::pair key{at.file, at.node.offset_debug()};
-            if (!reader.open_.insert(key).second)
-                at.file->fail(errc::cycle, at.node, "contains itself");
+            if (!reader.open_.insert(key).second) at.file->fail(errc::cycle, at.node, "contains itself");
             where = key;
         }
         ~open_element() { reader.open_.erase(where); }

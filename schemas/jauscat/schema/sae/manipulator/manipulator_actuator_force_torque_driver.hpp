@@ -1,0 +1,73 @@
+// ManipulatorActuatorForceTorqueDriver 2.0, urn:jaus:jss:manipulator:ManipulatorActuatorForceTorqueDriver.
+// Written by jauscat-jsidl: do not edit it, write it again.
+#pragma once
+#include <jauscat/schema/jaus/message_list.hpp>
+#include <jauscat/schema/sae/manipulator/shared.hpp>
+#include <jauscat/wire/schema.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <variant>
+
+// One line per field, as in the standard's tables.
+// clang-format off
+namespace jauscat::sae::manipulator {
+
+/// QueryCommandedActuatorForceTorques: code 2613h, input of ManipulatorActuatorForceTorqueDriver.
+struct query_commanded_actuator_force_torques {
+    friend constexpr bool operator==(const query_commanded_actuator_force_torques&,
+                                     const query_commanded_actuator_force_torques&) = default;
+
+    struct schema : wire::items {
+        static constexpr std::uint16_t command_code = 0x2613;
+        static constexpr bool is_command = false, is_deprecated = false;
+        using type = layout<>;
+    };
+};
+
+/// SetActuatorForceTorques: code 0613h, command, input of ManipulatorActuatorForceTorqueDriver.
+struct set_actuator_force_torques {
+    wire::list<actuator_force_torque_rec> actuator_force_torque_list{}; ///< up to 255 elements
+    friend constexpr bool operator==(const set_actuator_force_torques&, const set_actuator_force_torques&) = default;
+
+    struct schema : wire::items {
+        static constexpr std::uint16_t command_code = 0x0613;
+        static constexpr bool is_command = true, is_deprecated = false;
+        using T = set_actuator_force_torques;
+        using type = layout<repeated<&T::actuator_force_torque_list, count<"actuator_force_torque_list_count", u8>>>;
+    };
+};
+
+/// ReportCommandedActuatorForceTorques: code 4613h, output of ManipulatorActuatorForceTorqueDriver.
+struct report_commanded_actuator_force_torques {
+    wire::list<actuator_force_torque_rec> actuator_force_torque_list{}; ///< up to 255 elements
+    friend constexpr bool operator==(const report_commanded_actuator_force_torques&,
+                                     const report_commanded_actuator_force_torques&) = default;
+
+    struct schema : wire::items {
+        static constexpr std::uint16_t command_code = 0x4613;
+        static constexpr bool is_command = false, is_deprecated = false;
+        using T = report_commanded_actuator_force_torques;
+        using type = layout<repeated<&T::actuator_force_torque_list, count<"actuator_force_torque_list_count", u8>>>;
+    };
+};
+
+namespace services {
+
+/// ManipulatorActuatorForceTorqueDriver: what it is called, and its messages.
+struct manipulator_actuator_force_torque_driver {
+    static constexpr std::string_view name = "ManipulatorActuatorForceTorqueDriver";
+    static constexpr std::string_view uri = "urn:jaus:jss:manipulator:ManipulatorActuatorForceTorqueDriver";
+    static constexpr std::string_view version = "2.0";
+    static constexpr std::string_view parent_uri = "urn:jaus:jss:core:Management";
+    static constexpr std::string_view parent_version = "1.1";
+    using inputs = jaus::message_list<query_commanded_actuator_force_torques, set_actuator_force_torques>;
+    using outputs = jaus::message_list<report_commanded_actuator_force_torques>;
+    using messages = jaus::joined_lists<inputs, outputs>;
+};
+
+} // namespace services
+
+} // namespace jauscat::sae::manipulator

@@ -1,0 +1,60 @@
+// ManipulatorEndEffectorPoseDriver 2.0, urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver.
+// Written by jauscat-jsidl: do not edit it, write it again.
+#pragma once
+#include <jauscat/schema/jaus/message_list.hpp>
+#include <jauscat/schema/sae/manipulator/shared.hpp>
+#include <jauscat/wire/schema.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <variant>
+
+// One line per field, as in the standard's tables.
+// clang-format off
+namespace jauscat::sae::manipulator {
+
+/// SetEndEffectorPose: code 0610h, command, input of ManipulatorEndEffectorPoseDriver.
+struct set_end_effector_pose {
+    double tool_point_coordinate_x{};          ///< meter, -30 to 30
+    double tool_point_coordinate_y{};          ///< meter, -30 to 30
+    double tool_point_coordinate_z{};          ///< meter, -30 to 30
+    double d_component_of_unit_quaternion_q{}; ///< -1 to 1
+    double a_component_of_unit_quaternion_q{}; ///< -1 to 1
+    double b_component_of_unit_quaternion_q{}; ///< -1 to 1
+    double c_component_of_unit_quaternion_q{}; ///< -1 to 1
+    friend constexpr bool operator==(const set_end_effector_pose&, const set_end_effector_pose&) = default;
+
+    struct schema : wire::items {
+        static constexpr std::uint16_t command_code = 0x0610;
+        static constexpr bool is_command = true, is_deprecated = false;
+        using T = set_end_effector_pose;
+        using type = layout<
+            field<&T::tool_point_coordinate_x, scaled<u32le, meter_minus_30_to_30>>,
+            field<&T::tool_point_coordinate_y, scaled<u32le, meter_minus_30_to_30>>,
+            field<&T::tool_point_coordinate_z, scaled<u32le, meter_minus_30_to_30>>,
+            field<&T::d_component_of_unit_quaternion_q, scaled<u32le, one_minus_1_to_1>>,
+            field<&T::a_component_of_unit_quaternion_q, scaled<u32le, one_minus_1_to_1>>,
+            field<&T::b_component_of_unit_quaternion_q, scaled<u32le, one_minus_1_to_1>>,
+            field<&T::c_component_of_unit_quaternion_q, scaled<u32le, one_minus_1_to_1>>>;
+    };
+};
+
+namespace services {
+
+/// ManipulatorEndEffectorPoseDriver: what it is called, and its messages.
+struct manipulator_end_effector_pose_driver {
+    static constexpr std::string_view name = "ManipulatorEndEffectorPoseDriver";
+    static constexpr std::string_view uri = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseDriver";
+    static constexpr std::string_view version = "2.0";
+    static constexpr std::string_view parent_uri = "urn:jaus:jss:core:Management";
+    static constexpr std::string_view parent_version = "1.1";
+    using inputs = jaus::message_list<set_end_effector_pose, query_commanded_end_effector_pose>;
+    using outputs = jaus::message_list<report_commanded_end_effector_pose>;
+    using messages = jaus::joined_lists<inputs, outputs>;
+};
+
+} // namespace services
+
+} // namespace jauscat::sae::manipulator

@@ -1,0 +1,34 @@
+// ManipulatorEndEffectorPoseListDriver 2.0, urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseListDriver.
+// Written by jauscat-jsidl: do not edit it, write it again.
+#pragma once
+#include <jauscat/schema/jaus/message_list.hpp>
+#include <jauscat/schema/sae/manipulator/shared.hpp>
+#include <jauscat/wire/schema.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <variant>
+
+// One line per field, as in the standard's tables.
+// clang-format off
+namespace jauscat::sae::manipulator {
+
+namespace services {
+
+/// ManipulatorEndEffectorPoseListDriver: what it is called, and its messages.
+struct manipulator_end_effector_pose_list_driver {
+    static constexpr std::string_view name = "ManipulatorEndEffectorPoseListDriver";
+    static constexpr std::string_view uri = "urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseListDriver";
+    static constexpr std::string_view version = "2.0";
+    static constexpr std::string_view parent_uri = "urn:jaus:jss:manipulator:ManipulatorListDriver";
+    static constexpr std::string_view parent_version = "2.0";
+    using inputs = jaus::message_list<query_commanded_end_effector_pose>;
+    using outputs = jaus::message_list<report_commanded_end_effector_pose>;
+    using messages = jaus::joined_lists<inputs, outputs>;
+};
+
+} // namespace services
+
+} // namespace jauscat::sae::manipulator

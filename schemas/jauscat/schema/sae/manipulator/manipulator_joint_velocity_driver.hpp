@@ -1,0 +1,73 @@
+// ManipulatorJointVelocityDriver 2.0, urn:jaus:jss:manipulator:ManipulatorJointVelocityDriver.
+// Written by jauscat-jsidl: do not edit it, write it again.
+#pragma once
+#include <jauscat/schema/jaus/message_list.hpp>
+#include <jauscat/schema/sae/manipulator/shared.hpp>
+#include <jauscat/wire/schema.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <variant>
+
+// One line per field, as in the standard's tables.
+// clang-format off
+namespace jauscat::sae::manipulator {
+
+/// SetJointVelocity: code 0603h, command, input of ManipulatorJointVelocityDriver.
+struct set_joint_velocity {
+    wire::list<joint_velocity_rec> joint_velocity_list{}; ///< up to 255 elements
+    friend constexpr bool operator==(const set_joint_velocity&, const set_joint_velocity&) = default;
+
+    struct schema : wire::items {
+        static constexpr std::uint16_t command_code = 0x0603;
+        static constexpr bool is_command = true, is_deprecated = false;
+        using T = set_joint_velocity;
+        using type = layout<repeated<&T::joint_velocity_list, count<"joint_velocity_list_count", u8>>>;
+    };
+};
+
+/// QueryCommandedJointVelocity: code 2611h, input of ManipulatorJointVelocityDriver.
+struct query_commanded_joint_velocity {
+    friend constexpr bool operator==(const query_commanded_joint_velocity&,
+                                     const query_commanded_joint_velocity&) = default;
+
+    struct schema : wire::items {
+        static constexpr std::uint16_t command_code = 0x2611;
+        static constexpr bool is_command = false, is_deprecated = false;
+        using type = layout<>;
+    };
+};
+
+/// ReportCommandedJointVelocity: code 4611h, output of ManipulatorJointVelocityDriver.
+struct report_commanded_joint_velocity {
+    wire::list<joint_velocity_rec> joint_velocity_list{}; ///< up to 255 elements
+    friend constexpr bool operator==(const report_commanded_joint_velocity&,
+                                     const report_commanded_joint_velocity&) = default;
+
+    struct schema : wire::items {
+        static constexpr std::uint16_t command_code = 0x4611;
+        static constexpr bool is_command = false, is_deprecated = false;
+        using T = report_commanded_joint_velocity;
+        using type = layout<repeated<&T::joint_velocity_list, count<"joint_velocity_list_count", u8>>>;
+    };
+};
+
+namespace services {
+
+/// ManipulatorJointVelocityDriver: what it is called, and its messages.
+struct manipulator_joint_velocity_driver {
+    static constexpr std::string_view name = "ManipulatorJointVelocityDriver";
+    static constexpr std::string_view uri = "urn:jaus:jss:manipulator:ManipulatorJointVelocityDriver";
+    static constexpr std::string_view version = "2.0";
+    static constexpr std::string_view parent_uri = "urn:jaus:jss:core:Management";
+    static constexpr std::string_view parent_version = "1.1";
+    using inputs = jaus::message_list<set_joint_velocity, query_commanded_joint_velocity>;
+    using outputs = jaus::message_list<report_commanded_joint_velocity>;
+    using messages = jaus::joined_lists<inputs, outputs>;
+};
+
+} // namespace services
+
+} // namespace jauscat::sae::manipulator
