@@ -2,6 +2,8 @@ include(CMakeFindDependencyMacro)
 find_dependency(Boost 1.74)
 include(${CMAKE_CURRENT_LIST_DIR}/jauscat-targets.cmake)
 
+include(${CMAKE_CURRENT_LIST_DIR}/jsidl.cmake)
+
 set(jauscat_text_FOUND TRUE)
 set(jauscat_catalogue_FOUND TRUE)
 if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/jauscat-catalogue-library.cmake)

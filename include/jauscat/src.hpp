@@ -111,6 +111,11 @@
 #include <jauscat/jaus/routing/impl/node_manager.ipp>
 #include <jauscat/jaus/routing/impl/router.ipp>
 #include <jauscat/jaus/routing/impl/routing_table.ipp>
+#include <jauscat/jsidl/impl/check.ipp>
+#include <jauscat/jsidl/impl/facts.ipp>
+#include <jauscat/jsidl/impl/names.ipp>
+#include <jauscat/jsidl/impl/read_jsidl.ipp>
+#include <jauscat/jsidl/impl/write_schemas.ipp>
 #include <jauscat/net/config/impl/read_jaus_config.ipp>
 #include <jauscat/net/link/impl/any_link.ipp>
 #include <jauscat/net/link/impl/raw_link.ipp>

@@ -28,14 +28,17 @@ struct part {
     const element* of{};
     detail::role role{};
     std::string base{};                 ///< its name, if no other type has it
-    std::vector<std::string> context{}; ///< the message, then the elements around it
+    std::vector<std::string> context{}; ///< the service, the message, then the elements around it
     element shape{};                    ///< what makes it the same type as another one
     std::vector<part*> parts{};         ///< the types that it needs
     std::size_t level{};                ///< how much of the context is in the name
 
+    /// Level 1 is the service, for types that several of its messages have; then the message and what is around it.
     [[nodiscard]] std::string name() const {
+        if (level == 0) return base;
+        if (level == 1) return context.front() + '_' + base;
         std::string made;
-        for (std::size_t i = 0; i != std::min(level, context.size()); ++i) made += context[i] + '_';
+        for (std::size_t i = 1; i != level; ++i) made += context[i] + '_';
         return made + base;
     }
 };
@@ -81,7 +84,7 @@ class schema_plan {
         }
         for (auto& each : messages) {
             each.file = file_of(each);
-            if (each.of->body) collect(*each.of->body, each.parts, {each.name}, true);
+            if (each.of->body) collect(*each.of->body, each.parts, {each.file, each.name}, true);
         }
         separate_names();
         for (const auto& each : messages)

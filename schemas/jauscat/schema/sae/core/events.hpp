@@ -202,7 +202,7 @@ struct confirm_event_request {
 };
 
 /// Values of ResponseCode.
-enum class reject_event_request_response_code : std::uint8_t {
+enum class events_response_code : std::uint8_t {
     periodic_events_not_supported = 1,
     change_based_events_not_supported = 2,
     connection_refused = 3,
@@ -214,7 +214,7 @@ enum class reject_event_request_response_code : std::uint8_t {
 /// RejectEventRequest: code 01F4h, output of Events.
 struct reject_event_request {
     std::uint8_t request_id{};
-    std::optional<reject_event_request_response_code> response_code{};
+    std::optional<events_response_code> response_code{};
     std::optional<std::string_view> error_message{}; ///< up to 80 characters
     friend constexpr bool operator==(const reject_event_request&, const reject_event_request&) = default;
 
@@ -225,7 +225,7 @@ struct reject_event_request {
         using type = layout<
             presence<u8,
                 field<&T::request_id, u8>,
-                field<&T::response_code, enumeration<reject_event_request_response_code, u8>>,
+                field<&T::response_code, enumeration<events_response_code, u8>>,
                 string<&T::error_message, fixed<80>>>>;
     };
 };

@@ -156,7 +156,7 @@ struct confirm_element_request {
 };
 
 /// Values of ResponseCode.
-enum class reject_element_request_response_code : std::uint8_t {
+enum class list_manager_response_code : std::uint8_t {
     invalid_element_id = 1,
     invalid_previous_element = 2,
     invalid_next_element = 3,
@@ -169,7 +169,7 @@ enum class reject_element_request_response_code : std::uint8_t {
 /// RejectElementRequest: code 041Dh, output of ListManager.
 struct reject_element_request {
     std::uint8_t request_id{};
-    reject_element_request_response_code response_code{};
+    list_manager_response_code response_code{};
     friend constexpr bool operator==(const reject_element_request&, const reject_element_request&) = default;
 
     struct schema : wire::items {
@@ -178,7 +178,7 @@ struct reject_element_request {
         using T = reject_element_request;
         using type = layout<
             field<&T::request_id, u8>,
-            field<&T::response_code, enumeration<reject_element_request_response_code, u8>>>;
+            field<&T::response_code, enumeration<list_manager_response_code, u8>>>;
     };
 };
 

@@ -16,13 +16,12 @@
 namespace jauscat::sae::environment_sensing {
 
 /// Record RequestIdRec.
-struct set_analog_video_sensor_configuration_request_id_rec {
+struct analog_video_request_id_rec {
     std::uint8_t request_id{};
-    friend constexpr bool operator==(const set_analog_video_sensor_configuration_request_id_rec&,
-                                     const set_analog_video_sensor_configuration_request_id_rec&) = default;
+    friend constexpr bool operator==(const analog_video_request_id_rec&, const analog_video_request_id_rec&) = default;
 
     struct schema : wire::items {
-        using T = set_analog_video_sensor_configuration_request_id_rec;
+        using T = analog_video_request_id_rec;
         using type = layout<field<&T::request_id, u8>>;
     };
 };
@@ -54,7 +53,7 @@ struct analog_video_sensor_configuration_rec {
 
 /// SetAnalogVideoSensorConfiguration: code 0806h, command, input of AnalogVideo.
 struct set_analog_video_sensor_configuration {
-    set_analog_video_sensor_configuration_request_id_rec request_id_rec{};
+    analog_video_request_id_rec request_id_rec{};
     wire::list<analog_video_sensor_configuration_rec> analog_video_sensor_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(const set_analog_video_sensor_configuration&,
                                      const set_analog_video_sensor_configuration&) = default;

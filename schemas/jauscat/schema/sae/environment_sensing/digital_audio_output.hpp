@@ -16,13 +16,13 @@
 namespace jauscat::sae::environment_sensing {
 
 /// Record RequestIdRec.
-struct set_digital_audio_output_source_request_id_rec {
+struct digital_audio_output_request_id_rec {
     std::uint8_t request_id{};
-    friend constexpr bool operator==(const set_digital_audio_output_source_request_id_rec&,
-                                     const set_digital_audio_output_source_request_id_rec&) = default;
+    friend constexpr bool operator==(const digital_audio_output_request_id_rec&,
+                                     const digital_audio_output_request_id_rec&) = default;
 
     struct schema : wire::items {
-        using T = set_digital_audio_output_source_request_id_rec;
+        using T = digital_audio_output_request_id_rec;
         using type = layout<field<&T::request_id, u8>>;
     };
 };
@@ -54,7 +54,7 @@ struct digital_audio_output_source_rec {
 
 /// SetDigitalAudioOutputSource: code 0818h, command, input of DigitalAudioOutput.
 struct set_digital_audio_output_source {
-    set_digital_audio_output_source_request_id_rec request_id_rec{};
+    digital_audio_output_request_id_rec request_id_rec{};
     wire::list<digital_audio_output_source_rec> digital_audio_output_source_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(const set_digital_audio_output_source&,
                                      const set_digital_audio_output_source&) = default;
@@ -215,7 +215,7 @@ enum class speex : std::uint8_t {
 };
 
 /// Bits of SupportedDigitalFormats.
-struct report_digital_audio_output_capabilities_supported_digital_formats {
+struct digital_audio_output_supported_digital_formats {
     environment_sensing::lpcm_pcm lpcm_pcm{};
     environment_sensing::aiff aiff{};
     environment_sensing::wav wav{};
@@ -233,11 +233,11 @@ struct report_digital_audio_output_capabilities_supported_digital_formats {
     environment_sensing::vorbis vorbis{};
     environment_sensing::wma wma{};
     environment_sensing::speex speex{};
-    friend constexpr bool operator==(const report_digital_audio_output_capabilities_supported_digital_formats&,
-                                     const report_digital_audio_output_capabilities_supported_digital_formats&) = default;
+    friend constexpr bool operator==(const digital_audio_output_supported_digital_formats&,
+                                     const digital_audio_output_supported_digital_formats&) = default;
 
     struct schema : wire::items {
-        using T = report_digital_audio_output_capabilities_supported_digital_formats;
+        using T = digital_audio_output_supported_digital_formats;
         using type = layout<
             bit_fields<u32le,
                 bit_field<&T::lpcm_pcm, 1>,
@@ -342,7 +342,7 @@ struct digital_audio_output_capabilities_rec {
     std::uint16_t sensor_id{}; ///< 1 to 65535
     std::optional<std::uint16_t> minimum_allowed_bit_rate{};
     std::optional<std::uint16_t> maximum_allowed_bit_rate{};
-    std::optional<report_digital_audio_output_capabilities_supported_digital_formats> supported_digital_formats{};
+    std::optional<digital_audio_output_supported_digital_formats> supported_digital_formats{};
     std::optional<std::uint32_t> min_sample_rate{};
     std::optional<std::uint32_t> max_sample_rate{};
     std::optional<environment_sensing::supported_bit_depths> supported_bit_depths{};

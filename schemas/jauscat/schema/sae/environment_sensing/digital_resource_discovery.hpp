@@ -28,13 +28,13 @@ struct query_digital_resource_endpoint {
 };
 
 /// Record RequestIDRec.
-struct register_digital_resource_endpoint_request_id_rec {
+struct digital_resource_discovery_request_id_rec {
     std::uint8_t request_id{};
-    friend constexpr bool operator==(const register_digital_resource_endpoint_request_id_rec&,
-                                     const register_digital_resource_endpoint_request_id_rec&) = default;
+    friend constexpr bool operator==(const digital_resource_discovery_request_id_rec&,
+                                     const digital_resource_discovery_request_id_rec&) = default;
 
     struct schema : wire::items {
-        using T = register_digital_resource_endpoint_request_id_rec;
+        using T = digital_resource_discovery_request_id_rec;
         using type = layout<field<&T::request_id, u8>>;
     };
 };
@@ -91,7 +91,7 @@ struct digital_resource_endpoint_rec {
 
 /// RegisterDigitalResourceEndpoint: code 0808h, command, input of DigitalResourceDiscovery.
 struct register_digital_resource_endpoint {
-    register_digital_resource_endpoint_request_id_rec request_id_rec{};
+    digital_resource_discovery_request_id_rec request_id_rec{};
     environment_sensing::digital_resource_endpoint_rec digital_resource_endpoint_rec{};
     friend constexpr bool operator==(const register_digital_resource_endpoint&,
                                      const register_digital_resource_endpoint&) = default;

@@ -63,13 +63,13 @@ struct control_digital_video_sensor_recording {
 };
 
 /// Record RequestIdRec.
-struct set_digital_video_sensor_configuration_request_id_rec {
+struct digital_video_request_id_rec {
     std::uint8_t request_id{};
-    friend constexpr bool operator==(const set_digital_video_sensor_configuration_request_id_rec&,
-                                     const set_digital_video_sensor_configuration_request_id_rec&) = default;
+    friend constexpr bool operator==(const digital_video_request_id_rec&,
+                                     const digital_video_request_id_rec&) = default;
 
     struct schema : wire::items {
-        using T = set_digital_video_sensor_configuration_request_id_rec;
+        using T = digital_video_request_id_rec;
         using type = layout<field<&T::request_id, u8>>;
     };
 };
@@ -111,7 +111,7 @@ struct digital_video_sensor_configuration_rec {
 
 /// SetDigitalVideoSensorConfiguration: code 0804h, command, input of DigitalVideo.
 struct set_digital_video_sensor_configuration {
-    set_digital_video_sensor_configuration_request_id_rec request_id_rec{};
+    digital_video_request_id_rec request_id_rec{};
     wire::list<digital_video_sensor_configuration_rec> digital_video_sensor_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(const set_digital_video_sensor_configuration&,
                                      const set_digital_video_sensor_configuration&) = default;
@@ -245,7 +245,7 @@ enum class mpeg4_avc_h264 : std::uint8_t {
 };
 
 /// Bits of SupportedDigitalFormats.
-struct report_digital_video_sensor_capabilities_ext_supported_digital_formats {
+struct digital_video_supported_digital_formats {
     environment_sensing::avi avi{};
     environment_sensing::mjpeg mjpeg{};
     environment_sensing::mpeg2 mpeg2{};
@@ -253,11 +253,11 @@ struct report_digital_video_sensor_capabilities_ext_supported_digital_formats {
     environment_sensing::h263plus h263plus{};
     environment_sensing::mpeg4_visual mpeg4_visual{};
     environment_sensing::mpeg4_avc_h264 mpeg4_avc_h264{};
-    friend constexpr bool operator==(const report_digital_video_sensor_capabilities_ext_supported_digital_formats&,
-                                     const report_digital_video_sensor_capabilities_ext_supported_digital_formats&) = default;
+    friend constexpr bool operator==(const digital_video_supported_digital_formats&,
+                                     const digital_video_supported_digital_formats&) = default;
 
     struct schema : wire::items {
-        using T = report_digital_video_sensor_capabilities_ext_supported_digital_formats;
+        using T = digital_video_supported_digital_formats;
         using type = layout<
             bit_fields<u8,
                 bit_field<&T::avi, 1>,
@@ -285,7 +285,7 @@ struct digital_video_sensor_capabilities_rec {
     std::optional<std::uint8_t> minimum_frame_rate{};
     std::optional<std::uint8_t> maximum_frame_rate{};
     std::optional<environment_sensing::supported_frame_sizes> supported_frame_sizes{};
-    std::optional<report_digital_video_sensor_capabilities_ext_supported_digital_formats> supported_digital_formats{};
+    std::optional<digital_video_supported_digital_formats> supported_digital_formats{};
     std::optional<environment_sensing::recording_supported> recording_supported{};
     friend constexpr bool operator==(const digital_video_sensor_capabilities_rec&,
                                      const digital_video_sensor_capabilities_rec&) = default;

@@ -16,13 +16,12 @@
 namespace jauscat::sae::environment_sensing {
 
 /// Record RequestIdRec.
-struct set_range_sensor_configuration_request_id_rec {
+struct range_sensor_request_id_rec {
     std::uint8_t request_id{};
-    friend constexpr bool operator==(const set_range_sensor_configuration_request_id_rec&,
-                                     const set_range_sensor_configuration_request_id_rec&) = default;
+    friend constexpr bool operator==(const range_sensor_request_id_rec&, const range_sensor_request_id_rec&) = default;
 
     struct schema : wire::items {
-        using T = set_range_sensor_configuration_request_id_rec;
+        using T = range_sensor_request_id_rec;
         using type = layout<field<&T::request_id, u8>>;
     };
 };
@@ -59,7 +58,7 @@ struct range_sensor_configuration_rec {
 
 /// SetRangeSensorConfiguration: code 0802h, command, input of RangeSensor.
 struct set_range_sensor_configuration {
-    set_range_sensor_configuration_request_id_rec request_id_rec{};
+    range_sensor_request_id_rec request_id_rec{};
     wire::list<range_sensor_configuration_rec> range_sensor_configuration_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(const set_range_sensor_configuration&,
                                      const set_range_sensor_configuration&) = default;

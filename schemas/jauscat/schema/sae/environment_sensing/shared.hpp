@@ -32,25 +32,23 @@ struct sensor_id_query_rec {
 };
 
 /// Record RequestIdRec.
-struct confirm_sensor_configuration_request_id_rec {
+struct shared_request_id_rec {
     std::uint8_t request_id{};
-    friend constexpr bool operator==(const confirm_sensor_configuration_request_id_rec&,
-                                     const confirm_sensor_configuration_request_id_rec&) = default;
+    friend constexpr bool operator==(const shared_request_id_rec&, const shared_request_id_rec&) = default;
 
     struct schema : wire::items {
-        using T = confirm_sensor_configuration_request_id_rec;
+        using T = shared_request_id_rec;
         using type = layout<field<&T::request_id, u8>>;
     };
 };
 
 /// Record SensorIdRec.
-struct confirm_sensor_configuration_sensor_id_rec {
+struct shared_sensor_id_rec {
     std::uint16_t sensor_id{}; ///< 1 to 65535
-    friend constexpr bool operator==(const confirm_sensor_configuration_sensor_id_rec&,
-                                     const confirm_sensor_configuration_sensor_id_rec&) = default;
+    friend constexpr bool operator==(const shared_sensor_id_rec&, const shared_sensor_id_rec&) = default;
 
     struct schema : wire::items {
-        using T = confirm_sensor_configuration_sensor_id_rec;
+        using T = shared_sensor_id_rec;
         using type = layout<field<&T::sensor_id, u16le>>;
     };
 };
@@ -311,7 +309,7 @@ struct video_illuminator_error_rec {
 /// Variant ConfirmSensorConfigurationVariant: `tag` is the number of the alternative.
 struct confirm_sensor_configuration_variant {
     std::uint8_t tag{};
-    std::variant<confirm_sensor_configuration_sensor_id_rec, range_sensor_error_rec, visual_sensor_error_rec, digital_video_sensor_error_rec, analog_video_sensor_error_rec, still_image_sensor_error_rec, h264_video_encoding_error_rec, digital_audio_sensor_error_rec, digital_audio_output_error_rec, video_illuminator_error_rec> value{};
+    std::variant<shared_sensor_id_rec, range_sensor_error_rec, visual_sensor_error_rec, digital_video_sensor_error_rec, analog_video_sensor_error_rec, still_image_sensor_error_rec, h264_video_encoding_error_rec, digital_audio_sensor_error_rec, digital_audio_output_error_rec, video_illuminator_error_rec> value{};
     friend constexpr bool operator==(const confirm_sensor_configuration_variant&,
                                      const confirm_sensor_configuration_variant&) = default;
 
@@ -320,7 +318,7 @@ struct confirm_sensor_configuration_variant {
         using type = layout<
             field<&T::tag, u8>,
             selected<&T::value, by<&T::tag>,
-                when<0, confirm_sensor_configuration_sensor_id_rec>,
+                when<0, shared_sensor_id_rec>,
                 when<1, range_sensor_error_rec>,
                 when<2, visual_sensor_error_rec>,
                 when<3, digital_video_sensor_error_rec>,
@@ -335,7 +333,7 @@ struct confirm_sensor_configuration_variant {
 
 /// ConfirmSensorConfiguration: code 0801h, output of DigitalAudioOutput, RangeSensor, VideoIlluminator, VisualSensor.
 struct confirm_sensor_configuration {
-    confirm_sensor_configuration_request_id_rec request_id_rec{};
+    shared_request_id_rec request_id_rec{};
     wire::list<confirm_sensor_configuration_variant> confirm_sensor_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(const confirm_sensor_configuration&,
                                      const confirm_sensor_configuration&) = default;
@@ -711,18 +709,6 @@ struct time_stamp {
     };
 };
 
-/// Record SensorIdRec.
-struct report_sensor_geometric_properties_sensor_id_rec {
-    std::uint16_t sensor_id{}; ///< 1 to 65535
-    friend constexpr bool operator==(const report_sensor_geometric_properties_sensor_id_rec&,
-                                     const report_sensor_geometric_properties_sensor_id_rec&) = default;
-
-    struct schema : wire::items {
-        using T = report_sensor_geometric_properties_sensor_id_rec;
-        using type = layout<field<&T::sensor_id, u16le>>;
-    };
-};
-
 /// Variant NoGeometricPropertiesVariant: the tag alone.
 struct no_geometric_properties_variant {
     std::uint8_t tag{}; ///< 0
@@ -793,7 +779,7 @@ struct geometric_properties_variant {
 
 /// Sequence GeometricPropertiesSequence.
 struct geometric_properties_sequence {
-    report_sensor_geometric_properties_sensor_id_rec sensor_id_rec{};
+    shared_sensor_id_rec sensor_id_rec{};
     environment_sensing::geometric_properties_variant geometric_properties_variant{};
     friend constexpr bool operator==(const geometric_properties_sequence&,
                                      const geometric_properties_sequence&) = default;

@@ -16,13 +16,12 @@
 namespace jauscat::sae::environment_sensing {
 
 /// Record RequestIdRec.
-struct set_still_image_sensor_configuration_request_id_rec {
+struct still_image_request_id_rec {
     std::uint8_t request_id{};
-    friend constexpr bool operator==(const set_still_image_sensor_configuration_request_id_rec&,
-                                     const set_still_image_sensor_configuration_request_id_rec&) = default;
+    friend constexpr bool operator==(const still_image_request_id_rec&, const still_image_request_id_rec&) = default;
 
     struct schema : wire::items {
-        using T = set_still_image_sensor_configuration_request_id_rec;
+        using T = still_image_request_id_rec;
         using type = layout<field<&T::request_id, u8>>;
     };
 };
@@ -62,7 +61,7 @@ struct still_image_sensor_configuration_rec {
 
 /// SetStillImageSensorConfiguration: code 0807h, command, input of StillImage.
 struct set_still_image_sensor_configuration {
-    set_still_image_sensor_configuration_request_id_rec request_id_rec{};
+    still_image_request_id_rec request_id_rec{};
     wire::list<still_image_sensor_configuration_rec> still_image_sensor_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(const set_still_image_sensor_configuration&,
                                      const set_still_image_sensor_configuration&) = default;

@@ -16,13 +16,13 @@
 namespace jauscat::sae::environment_sensing {
 
 /// Record RequestIdRec.
-struct set_video_illuminator_configuration_request_id_rec {
+struct video_illuminator_request_id_rec {
     std::uint8_t request_id{};
-    friend constexpr bool operator==(const set_video_illuminator_configuration_request_id_rec&,
-                                     const set_video_illuminator_configuration_request_id_rec&) = default;
+    friend constexpr bool operator==(const video_illuminator_request_id_rec&,
+                                     const video_illuminator_request_id_rec&) = default;
 
     struct schema : wire::items {
-        using T = set_video_illuminator_configuration_request_id_rec;
+        using T = video_illuminator_request_id_rec;
         using type = layout<field<&T::request_id, u8>>;
     };
 };
@@ -58,7 +58,7 @@ struct illuminator_rec {
 
 /// SetVideoIlluminatorConfiguration: code 081Ah, command, input of VideoIlluminator.
 struct set_video_illuminator_configuration {
-    set_video_illuminator_configuration_request_id_rec request_id_rec{};
+    video_illuminator_request_id_rec request_id_rec{};
     wire::list<illuminator_rec> illuminator_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(const set_video_illuminator_configuration&,
                                      const set_video_illuminator_configuration&) = default;
@@ -133,7 +133,7 @@ enum class visible : std::uint8_t {
 };
 
 /// Values of Infrared.
-enum class report_video_illuminator_capabilities_infrared : std::uint8_t {
+enum class video_illuminator_infrared : std::uint8_t {
     not_supported = 0,
     supported = 1,
 };
@@ -153,7 +153,7 @@ enum class low_light : std::uint8_t {
 /// Bits of SupportedIlluminationModes.
 struct supported_illumination_modes {
     environment_sensing::visible visible{};
-    report_video_illuminator_capabilities_infrared infrared{};
+    video_illuminator_infrared infrared{};
     environment_sensing::grey_scale grey_scale{};
     environment_sensing::low_light low_light{};
     std::uint32_t reserved_for_future_use{};                             ///< 0 to 1
@@ -205,13 +205,13 @@ struct illuminator_capabilities_rec {
 };
 
 /// Record SensorIDRec.
-struct report_video_illuminator_capabilities_sensor_id_rec {
+struct video_illuminator_sensor_id_rec {
     std::uint16_t sensor_id{};
-    friend constexpr bool operator==(const report_video_illuminator_capabilities_sensor_id_rec&,
-                                     const report_video_illuminator_capabilities_sensor_id_rec&) = default;
+    friend constexpr bool operator==(const video_illuminator_sensor_id_rec&,
+                                     const video_illuminator_sensor_id_rec&) = default;
 
     struct schema : wire::items {
-        using T = report_video_illuminator_capabilities_sensor_id_rec;
+        using T = video_illuminator_sensor_id_rec;
         using type = layout<field<&T::sensor_id, u16le>>;
     };
 };
@@ -219,7 +219,7 @@ struct report_video_illuminator_capabilities_sensor_id_rec {
 /// Sequence IlluminatorCapabilitiesSeq.
 struct illuminator_capabilities_seq {
     environment_sensing::illuminator_capabilities_rec illuminator_capabilities_rec{};
-    wire::list<report_video_illuminator_capabilities_sensor_id_rec> sensor_id_list{}; ///< up to 255 elements
+    wire::list<video_illuminator_sensor_id_rec> sensor_id_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const illuminator_capabilities_seq&,
                                      const illuminator_capabilities_seq&) = default;
 

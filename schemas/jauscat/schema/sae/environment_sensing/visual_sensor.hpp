@@ -109,13 +109,13 @@ struct query_visual_sensor_capabilities_ext {
 };
 
 /// Record RequestIdRec.
-struct set_visual_sensor_configuration_request_id_rec {
+struct visual_sensor_request_id_rec {
     std::uint8_t request_id{};
-    friend constexpr bool operator==(const set_visual_sensor_configuration_request_id_rec&,
-                                     const set_visual_sensor_configuration_request_id_rec&) = default;
+    friend constexpr bool operator==(const visual_sensor_request_id_rec&,
+                                     const visual_sensor_request_id_rec&) = default;
 
     struct schema : wire::items {
-        using T = set_visual_sensor_configuration_request_id_rec;
+        using T = visual_sensor_request_id_rec;
         using type = layout<field<&T::request_id, u8>>;
     };
 };
@@ -236,7 +236,7 @@ struct visual_sensor_configuration_rec {
 
 /// SetVisualSensorConfiguration: code 0803h, command, input of VisualSensor.
 struct set_visual_sensor_configuration {
-    set_visual_sensor_configuration_request_id_rec request_id_rec{};
+    visual_sensor_request_id_rec request_id_rec{};
     wire::list<visual_sensor_configuration_rec> visual_sensor_configuration_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(const set_visual_sensor_configuration&,
                                      const set_visual_sensor_configuration&) = default;
@@ -420,7 +420,7 @@ enum class greyscale : std::uint8_t {
 };
 
 /// Values of Infrared.
-enum class report_visual_sensor_capabilities_infrared : std::uint8_t {
+enum class visual_sensor_infrared : std::uint8_t {
     unsupported = 0,
     supported = 1,
 };
@@ -458,7 +458,7 @@ enum class report_visual_sensor_capabilities_reserved_for_future_use : std::uint
 struct report_visual_sensor_capabilities_imaging_modes {
     environment_sensing::color color{};
     environment_sensing::greyscale greyscale{};
-    report_visual_sensor_capabilities_infrared infrared{};
+    visual_sensor_infrared infrared{};
     environment_sensing::lowlight lowlight{};
     environment_sensing::thermal_white_hot thermal_white_hot{};
     environment_sensing::thermal_black_hot thermal_black_hot{};
@@ -713,12 +713,6 @@ struct report_visual_sensor_capabilities_ext_white_balance {
     };
 };
 
-/// Values of Infrared.
-enum class report_visual_sensor_capabilities_ext_infrared : std::uint8_t {
-    unsupported = 0,
-    supported = 1,
-};
-
 /// Values of ReservedForFutureUse.
 enum class report_visual_sensor_capabilities_ext_reserved_for_future_use : std::uint16_t {
     reserved = 0,
@@ -733,7 +727,7 @@ enum class reserved_for_program_specific_use : std::uint16_t {
 struct report_visual_sensor_capabilities_ext_imaging_modes {
     environment_sensing::color color{};
     environment_sensing::greyscale greyscale{};
-    report_visual_sensor_capabilities_ext_infrared infrared{};
+    visual_sensor_infrared infrared{};
     environment_sensing::lowlight lowlight{};
     environment_sensing::thermal_white_hot thermal_white_hot{};
     environment_sensing::thermal_black_hot thermal_black_hot{};

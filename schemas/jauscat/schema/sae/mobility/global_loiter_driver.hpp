@@ -16,7 +16,7 @@
 namespace jauscat::sae::mobility {
 
 /// Values of ZPosition.
-enum class set_global_loiter_z_position_form : std::uint8_t {
+enum class global_loiter_driver_z_position_form : std::uint8_t {
     altitude_agl = 0,
     altitude_msl = 1,
     altitude_asf = 2,
@@ -24,21 +24,21 @@ enum class set_global_loiter_z_position_form : std::uint8_t {
 };
 
 /// ZPosition: a number in the form that is named before it.
-struct set_global_loiter_z_position {
-    set_global_loiter_z_position_form form{};
+struct global_loiter_driver_z_position {
+    global_loiter_driver_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const set_global_loiter_z_position&,
-                                     const set_global_loiter_z_position&) = default;
+    friend constexpr bool operator==(const global_loiter_driver_z_position&,
+                                     const global_loiter_driver_z_position&) = default;
 
     struct schema : wire::items {
-        using T = set_global_loiter_z_position;
+        using T = global_loiter_driver_z_position;
         using type = layout<
-            field<&T::form, enumeration<set_global_loiter_z_position_form, u8>>,
+            field<&T::form, enumeration<global_loiter_driver_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<set_global_loiter_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_global_loiter_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_global_loiter_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_global_loiter_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
+                when<global_loiter_driver_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_loiter_driver_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_loiter_driver_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_loiter_driver_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
 
@@ -46,7 +46,7 @@ struct set_global_loiter_z_position {
 struct global_loiter_rec {
     double latitude{};  ///< degree, -90 to 90
     double longitude{}; ///< degree, -180 to 180
-    std::optional<set_global_loiter_z_position> z_position{};
+    std::optional<global_loiter_driver_z_position> z_position{};
     friend constexpr bool operator==(const global_loiter_rec&, const global_loiter_rec&) = default;
 
     struct schema : wire::items {
@@ -60,39 +60,40 @@ struct global_loiter_rec {
 };
 
 /// Values of HoverPreference.
-enum class set_global_loiter_hover_preference : std::uint8_t {
+enum class global_loiter_driver_hover_preference : std::uint8_t {
     lat_lon_priority = 0,
     z_priority = 1,
 };
 
 /// Record HoverRec.
-struct set_global_loiter_hover_rec {
-    set_global_loiter_hover_preference hover_preference{};
+struct global_loiter_driver_hover_rec {
+    global_loiter_driver_hover_preference hover_preference{};
     double xy_tolerance{}; ///< meter, 0 to 100000
     double z_tolerance{};  ///< meter, 0 to 50000
-    friend constexpr bool operator==(const set_global_loiter_hover_rec&, const set_global_loiter_hover_rec&) = default;
+    friend constexpr bool operator==(const global_loiter_driver_hover_rec&,
+                                     const global_loiter_driver_hover_rec&) = default;
 
     struct schema : wire::items {
-        using T = set_global_loiter_hover_rec;
+        using T = global_loiter_driver_hover_rec;
         using type = layout<
-            field<&T::hover_preference, enumeration<set_global_loiter_hover_preference, u8>>,
+            field<&T::hover_preference, enumeration<global_loiter_driver_hover_preference, u8>>,
             field<&T::xy_tolerance, scaled<u32le, meter_0_to_100000>>,
             field<&T::z_tolerance, scaled<u32le, meter_0_to_50000>>>;
     };
 };
 
 /// Variant Loiter: `tag` is the number of the alternative.
-struct set_global_loiter_loiter {
+struct global_loiter_driver_loiter {
     std::uint8_t tag{};
-    std::variant<set_global_loiter_hover_rec, polygon_rec, race_track_rec> value{};
-    friend constexpr bool operator==(const set_global_loiter_loiter&, const set_global_loiter_loiter&) = default;
+    std::variant<global_loiter_driver_hover_rec, polygon_rec, race_track_rec> value{};
+    friend constexpr bool operator==(const global_loiter_driver_loiter&, const global_loiter_driver_loiter&) = default;
 
     struct schema : wire::items {
-        using T = set_global_loiter_loiter;
+        using T = global_loiter_driver_loiter;
         using type = layout<
             field<&T::tag, u8>,
             selected<&T::value, by<&T::tag>,
-                when<0, set_global_loiter_hover_rec>,
+                when<0, global_loiter_driver_hover_rec>,
                 when<1, polygon_rec>,
                 when<2, race_track_rec>>>;
     };
@@ -101,7 +102,7 @@ struct set_global_loiter_loiter {
 /// SetGlobalLoiter: code 0425h, command, input of GlobalLoiterDriver.
 struct set_global_loiter {
     mobility::global_loiter_rec global_loiter_rec{};
-    set_global_loiter_loiter loiter{};
+    global_loiter_driver_loiter loiter{};
     friend constexpr bool operator==(const set_global_loiter&, const set_global_loiter&) = default;
 
     struct schema : wire::items {
@@ -127,50 +128,10 @@ struct query_global_loiter {
     };
 };
 
-/// Values of HoverPreference.
-enum class report_global_loiter_hover_preference : std::uint8_t {
-    lat_lon_priority = 0,
-    z_priority = 1,
-};
-
-/// Record HoverRec.
-struct report_global_loiter_hover_rec {
-    report_global_loiter_hover_preference hover_preference{};
-    double xy_tolerance{}; ///< meter, 0 to 100000
-    double z_tolerance{};  ///< meter, 0 to 50000
-    friend constexpr bool operator==(const report_global_loiter_hover_rec&,
-                                     const report_global_loiter_hover_rec&) = default;
-
-    struct schema : wire::items {
-        using T = report_global_loiter_hover_rec;
-        using type = layout<
-            field<&T::hover_preference, enumeration<report_global_loiter_hover_preference, u8>>,
-            field<&T::xy_tolerance, scaled<u32le, meter_0_to_100000>>,
-            field<&T::z_tolerance, scaled<u32le, meter_0_to_50000>>>;
-    };
-};
-
-/// Variant Loiter: `tag` is the number of the alternative.
-struct report_global_loiter_loiter {
-    std::uint8_t tag{};
-    std::variant<report_global_loiter_hover_rec, polygon_rec, race_track_rec> value{};
-    friend constexpr bool operator==(const report_global_loiter_loiter&, const report_global_loiter_loiter&) = default;
-
-    struct schema : wire::items {
-        using T = report_global_loiter_loiter;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, report_global_loiter_hover_rec>,
-                when<1, polygon_rec>,
-                when<2, race_track_rec>>>;
-    };
-};
-
 /// ReportGlobalLoiter: code 4425h, output of GlobalLoiterDriver.
 struct report_global_loiter {
     mobility::global_loiter_rec global_loiter_rec{};
-    report_global_loiter_loiter loiter{};
+    global_loiter_driver_loiter loiter{};
     friend constexpr bool operator==(const report_global_loiter&, const report_global_loiter&) = default;
 
     struct schema : wire::items {

@@ -16,7 +16,7 @@
 namespace jauscat::sae::mobility {
 
 /// Values of MinZPosition.
-enum class set_global_operating_zone_min_z_position_form : std::uint8_t {
+enum class global_operating_zone_min_z_position_form : std::uint8_t {
     altitude_agl = 0,
     altitude_msl = 1,
     altitude_asf = 2,
@@ -24,26 +24,26 @@ enum class set_global_operating_zone_min_z_position_form : std::uint8_t {
 };
 
 /// MinZPosition: a number in the form that is named before it.
-struct set_global_operating_zone_min_z_position {
-    set_global_operating_zone_min_z_position_form form{};
+struct global_operating_zone_min_z_position {
+    global_operating_zone_min_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const set_global_operating_zone_min_z_position&,
-                                     const set_global_operating_zone_min_z_position&) = default;
+    friend constexpr bool operator==(const global_operating_zone_min_z_position&,
+                                     const global_operating_zone_min_z_position&) = default;
 
     struct schema : wire::items {
-        using T = set_global_operating_zone_min_z_position;
+        using T = global_operating_zone_min_z_position;
         using type = layout<
-            field<&T::form, enumeration<set_global_operating_zone_min_z_position_form, u8>>,
+            field<&T::form, enumeration<global_operating_zone_min_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<set_global_operating_zone_min_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_global_operating_zone_min_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_global_operating_zone_min_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_global_operating_zone_min_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
+                when<global_operating_zone_min_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_operating_zone_min_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_operating_zone_min_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_operating_zone_min_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
 
 /// Values of MaxZPosition.
-enum class set_global_operating_zone_max_z_position_form : std::uint8_t {
+enum class global_operating_zone_max_z_position_form : std::uint8_t {
     altitude_agl = 0,
     altitude_msl = 1,
     altitude_asf = 2,
@@ -51,21 +51,21 @@ enum class set_global_operating_zone_max_z_position_form : std::uint8_t {
 };
 
 /// MaxZPosition: a number in the form that is named before it.
-struct set_global_operating_zone_max_z_position {
-    set_global_operating_zone_max_z_position_form form{};
+struct global_operating_zone_max_z_position {
+    global_operating_zone_max_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const set_global_operating_zone_max_z_position&,
-                                     const set_global_operating_zone_max_z_position&) = default;
+    friend constexpr bool operator==(const global_operating_zone_max_z_position&,
+                                     const global_operating_zone_max_z_position&) = default;
 
     struct schema : wire::items {
-        using T = set_global_operating_zone_max_z_position;
+        using T = global_operating_zone_max_z_position;
         using type = layout<
-            field<&T::form, enumeration<set_global_operating_zone_max_z_position_form, u8>>,
+            field<&T::form, enumeration<global_operating_zone_max_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<set_global_operating_zone_max_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_global_operating_zone_max_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_global_operating_zone_max_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_global_operating_zone_max_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
+                when<global_operating_zone_max_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_operating_zone_max_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_operating_zone_max_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_operating_zone_max_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
 
@@ -73,8 +73,8 @@ struct set_global_operating_zone_max_z_position {
 struct global_polygon_point_rec {
     double latitude{};  ///< degree, -90 to 90
     double longitude{}; ///< degree, -180 to 180
-    std::optional<set_global_operating_zone_min_z_position> min_z_position{};
-    std::optional<set_global_operating_zone_max_z_position> max_z_position{};
+    std::optional<global_operating_zone_min_z_position> min_z_position{};
+    std::optional<global_operating_zone_max_z_position> max_z_position{};
     friend constexpr bool operator==(const global_polygon_point_rec&, const global_polygon_point_rec&) = default;
 
     struct schema : wire::items {

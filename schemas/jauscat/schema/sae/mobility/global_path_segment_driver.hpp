@@ -72,7 +72,7 @@ struct report_global_path_segment {
 };
 
 /// Values of P1_ZPosition.
-enum class report_global_path_segment_ext_p1_z_position_form : std::uint8_t {
+enum class global_path_segment_driver_p1_z_position_form : std::uint8_t {
     altitude_agl = 0,
     altitude_msl = 1,
     altitude_asf = 2,
@@ -80,21 +80,21 @@ enum class report_global_path_segment_ext_p1_z_position_form : std::uint8_t {
 };
 
 /// P1_ZPosition: a number in the form that is named before it.
-struct report_global_path_segment_ext_p1_z_position {
-    report_global_path_segment_ext_p1_z_position_form form{};
+struct global_path_segment_driver_p1_z_position {
+    global_path_segment_driver_p1_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const report_global_path_segment_ext_p1_z_position&,
-                                     const report_global_path_segment_ext_p1_z_position&) = default;
+    friend constexpr bool operator==(const global_path_segment_driver_p1_z_position&,
+                                     const global_path_segment_driver_p1_z_position&) = default;
 
     struct schema : wire::items {
-        using T = report_global_path_segment_ext_p1_z_position;
+        using T = global_path_segment_driver_p1_z_position;
         using type = layout<
-            field<&T::form, enumeration<report_global_path_segment_ext_p1_z_position_form, u8>>,
+            field<&T::form, enumeration<global_path_segment_driver_p1_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<report_global_path_segment_ext_p1_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_global_path_segment_ext_p1_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_global_path_segment_ext_p1_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_global_path_segment_ext_p1_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
+                when<global_path_segment_driver_p1_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_path_segment_driver_p1_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_path_segment_driver_p1_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_path_segment_driver_p1_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
 
@@ -128,7 +128,7 @@ struct p_z_position {
 struct report_global_path_segment_ext {
     double p1_latitude{};                   ///< degree, -90 to 90
     double p1_longitude{};                  ///< degree, -180 to 180
-    std::optional<report_global_path_segment_ext_p1_z_position> p1_z_position{};
+    std::optional<global_path_segment_driver_p1_z_position> p1_z_position{};
     double p2_latitude{};                   ///< degree, -90 to 90
     double p2_longitude{};                  ///< degree, -180 to 180
     std::optional<mobility::p_z_position> p_z_position{};

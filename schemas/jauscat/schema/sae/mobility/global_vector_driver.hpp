@@ -39,7 +39,7 @@ struct set_global_vector {
 };
 
 /// Values of ZPosition.
-enum class set_global_vector_ext_z_position_form : std::uint8_t {
+enum class global_vector_driver_z_position_form : std::uint8_t {
     altitude_agl = 0,
     altitude_msl = 1,
     altitude_asf = 2,
@@ -47,28 +47,28 @@ enum class set_global_vector_ext_z_position_form : std::uint8_t {
 };
 
 /// ZPosition: a number in the form that is named before it.
-struct set_global_vector_ext_z_position {
-    set_global_vector_ext_z_position_form form{};
+struct global_vector_driver_z_position {
+    global_vector_driver_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const set_global_vector_ext_z_position&,
-                                     const set_global_vector_ext_z_position&) = default;
+    friend constexpr bool operator==(const global_vector_driver_z_position&,
+                                     const global_vector_driver_z_position&) = default;
 
     struct schema : wire::items {
-        using T = set_global_vector_ext_z_position;
+        using T = global_vector_driver_z_position;
         using type = layout<
-            field<&T::form, enumeration<set_global_vector_ext_z_position_form, u8>>,
+            field<&T::form, enumeration<global_vector_driver_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<set_global_vector_ext_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_global_vector_ext_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_global_vector_ext_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_global_vector_ext_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
+                when<global_vector_driver_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_vector_driver_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_vector_driver_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_vector_driver_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
 
 /// SetGlobalVectorExt: code 04A7h, command, input of GlobalVectorDriver.
 struct set_global_vector_ext {
     mobility::speed speed{};
-    std::optional<set_global_vector_ext_z_position> z_position{};
+    std::optional<global_vector_driver_z_position> z_position{};
     std::optional<double> roll{};    ///< radian, -pi to pi
     std::optional<double> pitch{};   ///< radian, -pi to pi
     std::optional<double> heading{}; ///< radian, -pi to pi
@@ -139,37 +139,10 @@ struct report_global_vector {
     };
 };
 
-/// Values of ZPosition.
-enum class report_global_vector_ext_z_position_form : std::uint8_t {
-    altitude_agl = 0,
-    altitude_msl = 1,
-    altitude_asf = 2,
-    depth = 3,
-};
-
-/// ZPosition: a number in the form that is named before it.
-struct report_global_vector_ext_z_position {
-    report_global_vector_ext_z_position_form form{};
-    double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const report_global_vector_ext_z_position&,
-                                     const report_global_vector_ext_z_position&) = default;
-
-    struct schema : wire::items {
-        using T = report_global_vector_ext_z_position;
-        using type = layout<
-            field<&T::form, enumeration<report_global_vector_ext_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
-                when<report_global_vector_ext_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_global_vector_ext_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_global_vector_ext_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_global_vector_ext_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
-    };
-};
-
 /// ReportGlobalVectorExt: code 44A7h, output of GlobalVectorDriver.
 struct report_global_vector_ext {
     mobility::speed speed{};
-    std::optional<report_global_vector_ext_z_position> z_position{};
+    std::optional<global_vector_driver_z_position> z_position{};
     std::optional<double> roll{};    ///< radian, -pi to pi
     std::optional<double> pitch{};   ///< radian, -pi to pi
     std::optional<double> heading{}; ///< radian, -pi to pi

@@ -45,7 +45,7 @@ struct set_global_waypoint {
 };
 
 /// Values of ZPosition.
-enum class set_global_waypoint_ext_z_position_form : std::uint8_t {
+enum class global_waypoint_driver_z_position_form : std::uint8_t {
     altitude_agl = 0,
     altitude_msl = 1,
     altitude_asf = 2,
@@ -53,21 +53,21 @@ enum class set_global_waypoint_ext_z_position_form : std::uint8_t {
 };
 
 /// ZPosition: a number in the form that is named before it.
-struct set_global_waypoint_ext_z_position {
-    set_global_waypoint_ext_z_position_form form{};
+struct global_waypoint_driver_z_position {
+    global_waypoint_driver_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const set_global_waypoint_ext_z_position&,
-                                     const set_global_waypoint_ext_z_position&) = default;
+    friend constexpr bool operator==(const global_waypoint_driver_z_position&,
+                                     const global_waypoint_driver_z_position&) = default;
 
     struct schema : wire::items {
-        using T = set_global_waypoint_ext_z_position;
+        using T = global_waypoint_driver_z_position;
         using type = layout<
-            field<&T::form, enumeration<set_global_waypoint_ext_z_position_form, u8>>,
+            field<&T::form, enumeration<global_waypoint_driver_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<set_global_waypoint_ext_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_global_waypoint_ext_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_global_waypoint_ext_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_global_waypoint_ext_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
+                when<global_waypoint_driver_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_waypoint_driver_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_waypoint_driver_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_waypoint_driver_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
 
@@ -75,7 +75,7 @@ struct set_global_waypoint_ext_z_position {
 struct set_global_waypoint_ext {
     double latitude{};                          ///< degree, -90 to 90
     double longitude{};                         ///< degree, -180 to 180
-    std::optional<set_global_waypoint_ext_z_position> z_position{};
+    std::optional<global_waypoint_driver_z_position> z_position{};
     std::optional<double> roll{};               ///< radian, -pi to pi
     std::optional<double> pitch{};              ///< radian, -pi to pi
     std::optional<double> heading{};            ///< radian, -pi to pi

@@ -16,7 +16,7 @@
 namespace jauscat::sae::mobility {
 
 /// Values of ZPosition.
-enum class set_local_loiter_z_position_form : std::uint8_t {
+enum class local_loiter_driver_z_position_form : std::uint8_t {
     altitude_agl = 0,
     altitude_msl = 1,
     altitude_asf = 2,
@@ -25,21 +25,22 @@ enum class set_local_loiter_z_position_form : std::uint8_t {
 };
 
 /// ZPosition: a number in the form that is named before it.
-struct set_local_loiter_z_position {
-    set_local_loiter_z_position_form form{};
+struct local_loiter_driver_z_position {
+    local_loiter_driver_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const set_local_loiter_z_position&, const set_local_loiter_z_position&) = default;
+    friend constexpr bool operator==(const local_loiter_driver_z_position&,
+                                     const local_loiter_driver_z_position&) = default;
 
     struct schema : wire::items {
-        using T = set_local_loiter_z_position;
+        using T = local_loiter_driver_z_position;
         using type = layout<
-            field<&T::form, enumeration<set_local_loiter_z_position_form, u8>>,
+            field<&T::form, enumeration<local_loiter_driver_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<set_local_loiter_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_loiter_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_loiter_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_loiter_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_loiter_z_position_form::z_local, scaled<u32le, meter_minus_50000_to_50000>>>>;
+                when<local_loiter_driver_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_loiter_driver_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_loiter_driver_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_loiter_driver_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_loiter_driver_z_position_form::z_local, scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
 
@@ -47,7 +48,7 @@ struct set_local_loiter_z_position {
 struct local_loiter_rec {
     double x{}; ///< meter, -20000000 to 20000000
     double y{}; ///< meter, -20000000 to 20000000
-    std::optional<set_local_loiter_z_position> z_position{};
+    std::optional<local_loiter_driver_z_position> z_position{};
     friend constexpr bool operator==(const local_loiter_rec&, const local_loiter_rec&) = default;
 
     struct schema : wire::items {
@@ -61,39 +62,40 @@ struct local_loiter_rec {
 };
 
 /// Values of HoverPreference.
-enum class set_local_loiter_hover_preference : std::uint8_t {
+enum class local_loiter_driver_hover_preference : std::uint8_t {
     xy_priority = 0,
     z_priority = 1,
 };
 
 /// Record HoverRec.
-struct set_local_loiter_hover_rec {
-    set_local_loiter_hover_preference hover_preference{};
+struct local_loiter_driver_hover_rec {
+    local_loiter_driver_hover_preference hover_preference{};
     double xy_tolerance{}; ///< meter, 0 to 100000
     double z_tolerance{};  ///< meter, 0 to 50000
-    friend constexpr bool operator==(const set_local_loiter_hover_rec&, const set_local_loiter_hover_rec&) = default;
+    friend constexpr bool operator==(const local_loiter_driver_hover_rec&,
+                                     const local_loiter_driver_hover_rec&) = default;
 
     struct schema : wire::items {
-        using T = set_local_loiter_hover_rec;
+        using T = local_loiter_driver_hover_rec;
         using type = layout<
-            field<&T::hover_preference, enumeration<set_local_loiter_hover_preference, u8>>,
+            field<&T::hover_preference, enumeration<local_loiter_driver_hover_preference, u8>>,
             field<&T::xy_tolerance, scaled<u32le, meter_0_to_100000>>,
             field<&T::z_tolerance, scaled<u32le, meter_0_to_50000>>>;
     };
 };
 
 /// Variant Loiter: `tag` is the number of the alternative.
-struct set_local_loiter_loiter {
+struct local_loiter_driver_loiter {
     std::uint8_t tag{};
-    std::variant<set_local_loiter_hover_rec, polygon_rec, race_track_rec> value{};
-    friend constexpr bool operator==(const set_local_loiter_loiter&, const set_local_loiter_loiter&) = default;
+    std::variant<local_loiter_driver_hover_rec, polygon_rec, race_track_rec> value{};
+    friend constexpr bool operator==(const local_loiter_driver_loiter&, const local_loiter_driver_loiter&) = default;
 
     struct schema : wire::items {
-        using T = set_local_loiter_loiter;
+        using T = local_loiter_driver_loiter;
         using type = layout<
             field<&T::tag, u8>,
             selected<&T::value, by<&T::tag>,
-                when<0, set_local_loiter_hover_rec>,
+                when<0, local_loiter_driver_hover_rec>,
                 when<1, polygon_rec>,
                 when<2, race_track_rec>>>;
     };
@@ -102,7 +104,7 @@ struct set_local_loiter_loiter {
 /// SetLocalLoiter: code 0426h, command, input of LocalLoiterDriver.
 struct set_local_loiter {
     mobility::local_loiter_rec local_loiter_rec{};
-    set_local_loiter_loiter loiter{};
+    local_loiter_driver_loiter loiter{};
     friend constexpr bool operator==(const set_local_loiter&, const set_local_loiter&) = default;
 
     struct schema : wire::items {
@@ -128,50 +130,10 @@ struct query_local_loiter {
     };
 };
 
-/// Values of HoverPreference.
-enum class report_local_loiter_hover_preference : std::uint8_t {
-    xy_priority = 0,
-    z_priority = 1,
-};
-
-/// Record HoverRec.
-struct report_local_loiter_hover_rec {
-    report_local_loiter_hover_preference hover_preference{};
-    double xy_tolerance{}; ///< meter, 0 to 100000
-    double z_tolerance{};  ///< meter, 0 to 50000
-    friend constexpr bool operator==(const report_local_loiter_hover_rec&,
-                                     const report_local_loiter_hover_rec&) = default;
-
-    struct schema : wire::items {
-        using T = report_local_loiter_hover_rec;
-        using type = layout<
-            field<&T::hover_preference, enumeration<report_local_loiter_hover_preference, u8>>,
-            field<&T::xy_tolerance, scaled<u32le, meter_0_to_100000>>,
-            field<&T::z_tolerance, scaled<u32le, meter_0_to_50000>>>;
-    };
-};
-
-/// Variant Loiter: `tag` is the number of the alternative.
-struct report_local_loiter_loiter {
-    std::uint8_t tag{};
-    std::variant<report_local_loiter_hover_rec, polygon_rec, race_track_rec> value{};
-    friend constexpr bool operator==(const report_local_loiter_loiter&, const report_local_loiter_loiter&) = default;
-
-    struct schema : wire::items {
-        using T = report_local_loiter_loiter;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, report_local_loiter_hover_rec>,
-                when<1, polygon_rec>,
-                when<2, race_track_rec>>>;
-    };
-};
-
 /// ReportLocalLoiter: code 4426h, output of LocalLoiterDriver.
 struct report_local_loiter {
     mobility::local_loiter_rec local_loiter_rec{};
-    report_local_loiter_loiter loiter{};
+    local_loiter_driver_loiter loiter{};
     friend constexpr bool operator==(const report_local_loiter&, const report_local_loiter&) = default;
 
     struct schema : wire::items {

@@ -16,7 +16,7 @@
 namespace jauscat::sae::mobility {
 
 /// Values of MinZPosition.
-enum class set_local_operating_zone_min_z_position_form : std::uint8_t {
+enum class local_operating_zone_min_z_position_form : std::uint8_t {
     altitude_agl = 0,
     altitude_msl = 1,
     altitude_asf = 2,
@@ -25,27 +25,27 @@ enum class set_local_operating_zone_min_z_position_form : std::uint8_t {
 };
 
 /// MinZPosition: a number in the form that is named before it.
-struct set_local_operating_zone_min_z_position {
-    set_local_operating_zone_min_z_position_form form{};
+struct local_operating_zone_min_z_position {
+    local_operating_zone_min_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const set_local_operating_zone_min_z_position&,
-                                     const set_local_operating_zone_min_z_position&) = default;
+    friend constexpr bool operator==(const local_operating_zone_min_z_position&,
+                                     const local_operating_zone_min_z_position&) = default;
 
     struct schema : wire::items {
-        using T = set_local_operating_zone_min_z_position;
+        using T = local_operating_zone_min_z_position;
         using type = layout<
-            field<&T::form, enumeration<set_local_operating_zone_min_z_position_form, u8>>,
+            field<&T::form, enumeration<local_operating_zone_min_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<set_local_operating_zone_min_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_operating_zone_min_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_operating_zone_min_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_operating_zone_min_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_operating_zone_min_z_position_form::z_local, scaled<u32le, meter_minus_50000_to_50000>>>>;
+                when<local_operating_zone_min_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_operating_zone_min_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_operating_zone_min_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_operating_zone_min_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_operating_zone_min_z_position_form::z_local, scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
 
 /// Values of MaxZPosition.
-enum class set_local_operating_zone_max_z_position_form : std::uint8_t {
+enum class local_operating_zone_max_z_position_form : std::uint8_t {
     altitude_agl = 0,
     altitude_msl = 1,
     altitude_asf = 2,
@@ -54,22 +54,22 @@ enum class set_local_operating_zone_max_z_position_form : std::uint8_t {
 };
 
 /// MaxZPosition: a number in the form that is named before it.
-struct set_local_operating_zone_max_z_position {
-    set_local_operating_zone_max_z_position_form form{};
+struct local_operating_zone_max_z_position {
+    local_operating_zone_max_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const set_local_operating_zone_max_z_position&,
-                                     const set_local_operating_zone_max_z_position&) = default;
+    friend constexpr bool operator==(const local_operating_zone_max_z_position&,
+                                     const local_operating_zone_max_z_position&) = default;
 
     struct schema : wire::items {
-        using T = set_local_operating_zone_max_z_position;
+        using T = local_operating_zone_max_z_position;
         using type = layout<
-            field<&T::form, enumeration<set_local_operating_zone_max_z_position_form, u8>>,
+            field<&T::form, enumeration<local_operating_zone_max_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<set_local_operating_zone_max_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_operating_zone_max_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_operating_zone_max_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_operating_zone_max_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_operating_zone_max_z_position_form::z_local, scaled<u32le, meter_minus_50000_to_50000>>>>;
+                when<local_operating_zone_max_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_operating_zone_max_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_operating_zone_max_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_operating_zone_max_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_operating_zone_max_z_position_form::z_local, scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
 
@@ -77,8 +77,8 @@ struct set_local_operating_zone_max_z_position {
 struct local_polygon_point_rec {
     double x{}; ///< meter, -20000000 to 20000000
     double y{}; ///< meter, -20000000 to 20000000
-    std::optional<set_local_operating_zone_min_z_position> min_z_position{};
-    std::optional<set_local_operating_zone_max_z_position> max_z_position{};
+    std::optional<local_operating_zone_min_z_position> min_z_position{};
+    std::optional<local_operating_zone_max_z_position> max_z_position{};
     friend constexpr bool operator==(const local_polygon_point_rec&, const local_polygon_point_rec&) = default;
 
     struct schema : wire::items {

@@ -72,7 +72,7 @@ struct report_local_path_segment {
 };
 
 /// Values of P1_ZPosition.
-enum class report_local_path_segment_ext_p1_z_position_form : std::uint8_t {
+enum class local_path_segment_driver_p1_z_position_form : std::uint8_t {
     altitude_agl = 0,
     altitude_msl = 1,
     altitude_asf = 2,
@@ -81,22 +81,22 @@ enum class report_local_path_segment_ext_p1_z_position_form : std::uint8_t {
 };
 
 /// P1_ZPosition: a number in the form that is named before it.
-struct report_local_path_segment_ext_p1_z_position {
-    report_local_path_segment_ext_p1_z_position_form form{};
+struct local_path_segment_driver_p1_z_position {
+    local_path_segment_driver_p1_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const report_local_path_segment_ext_p1_z_position&,
-                                     const report_local_path_segment_ext_p1_z_position&) = default;
+    friend constexpr bool operator==(const local_path_segment_driver_p1_z_position&,
+                                     const local_path_segment_driver_p1_z_position&) = default;
 
     struct schema : wire::items {
-        using T = report_local_path_segment_ext_p1_z_position;
+        using T = local_path_segment_driver_p1_z_position;
         using type = layout<
-            field<&T::form, enumeration<report_local_path_segment_ext_p1_z_position_form, u8>>,
+            field<&T::form, enumeration<local_path_segment_driver_p1_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<report_local_path_segment_ext_p1_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_local_path_segment_ext_p1_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_local_path_segment_ext_p1_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_local_path_segment_ext_p1_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_local_path_segment_ext_p1_z_position_form::z_local, scaled<u32le, meter_minus_50000_to_50000>>>>;
+                when<local_path_segment_driver_p1_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_path_segment_driver_p1_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_path_segment_driver_p1_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_path_segment_driver_p1_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_path_segment_driver_p1_z_position_form::z_local, scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
 
@@ -132,7 +132,7 @@ struct p2_z_position {
 struct report_local_path_segment_ext {
     double p1_x{};                          ///< meter, -20000000 to 20000000
     double p1_y{};                          ///< meter, -20000000 to 20000000
-    std::optional<report_local_path_segment_ext_p1_z_position> p1_z_position{};
+    std::optional<local_path_segment_driver_p1_z_position> p1_z_position{};
     double p2_x{};                          ///< meter, -20000000 to 20000000
     double p2_y{};                          ///< meter, -20000000 to 20000000
     std::optional<mobility::p2_z_position> p2_z_position{};

@@ -39,7 +39,7 @@ struct set_local_vector {
 };
 
 /// Values of ZPosition.
-enum class set_local_vector_ext_z_position_form : std::uint8_t {
+enum class local_vector_driver_z_position_form : std::uint8_t {
     altitude_agl = 0,
     altitude_msl = 1,
     altitude_asf = 2,
@@ -48,29 +48,29 @@ enum class set_local_vector_ext_z_position_form : std::uint8_t {
 };
 
 /// ZPosition: a number in the form that is named before it.
-struct set_local_vector_ext_z_position {
-    set_local_vector_ext_z_position_form form{};
+struct local_vector_driver_z_position {
+    local_vector_driver_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const set_local_vector_ext_z_position&,
-                                     const set_local_vector_ext_z_position&) = default;
+    friend constexpr bool operator==(const local_vector_driver_z_position&,
+                                     const local_vector_driver_z_position&) = default;
 
     struct schema : wire::items {
-        using T = set_local_vector_ext_z_position;
+        using T = local_vector_driver_z_position;
         using type = layout<
-            field<&T::form, enumeration<set_local_vector_ext_z_position_form, u8>>,
+            field<&T::form, enumeration<local_vector_driver_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<set_local_vector_ext_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_vector_ext_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_vector_ext_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_vector_ext_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_vector_ext_z_position_form::z_local, scaled<u32le, meter_minus_50000_to_50000>>>>;
+                when<local_vector_driver_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_vector_driver_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_vector_driver_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_vector_driver_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_vector_driver_z_position_form::z_local, scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
 
 /// SetLocalVectorExt: code 04A8h, command, input of LocalVectorDriver.
 struct set_local_vector_ext {
     mobility::speed speed{};
-    std::optional<set_local_vector_ext_z_position> z_position{};
+    std::optional<local_vector_driver_z_position> z_position{};
     std::optional<double> roll{};    ///< radian, -pi to pi
     std::optional<double> pitch{};   ///< radian, -pi to pi
     std::optional<double> heading{}; ///< radian, -pi to pi
@@ -141,39 +141,10 @@ struct report_local_vector {
     };
 };
 
-/// Values of ZPosition.
-enum class report_local_vector_ext_z_position_form : std::uint8_t {
-    altitude_agl = 0,
-    altitude_msl = 1,
-    altitude_asf = 2,
-    depth = 3,
-    z_local = 4,
-};
-
-/// ZPosition: a number in the form that is named before it.
-struct report_local_vector_ext_z_position {
-    report_local_vector_ext_z_position_form form{};
-    double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const report_local_vector_ext_z_position&,
-                                     const report_local_vector_ext_z_position&) = default;
-
-    struct schema : wire::items {
-        using T = report_local_vector_ext_z_position;
-        using type = layout<
-            field<&T::form, enumeration<report_local_vector_ext_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
-                when<report_local_vector_ext_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_local_vector_ext_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_local_vector_ext_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_local_vector_ext_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_local_vector_ext_z_position_form::z_local, scaled<u32le, meter_minus_50000_to_50000>>>>;
-    };
-};
-
 /// ReportLocalVectorExt: code 44A8h, output of LocalVectorDriver.
 struct report_local_vector_ext {
     mobility::speed speed{};
-    std::optional<report_local_vector_ext_z_position> z_position{};
+    std::optional<local_vector_driver_z_position> z_position{};
     std::optional<double> roll{};    ///< radian, -pi to pi
     std::optional<double> pitch{};   ///< radian, -pi to pi
     std::optional<double> heading{}; ///< radian, -pi to pi

@@ -45,7 +45,7 @@ struct set_local_waypoint {
 };
 
 /// Values of ZPosition.
-enum class set_local_waypoint_ext_z_position_form : std::uint8_t {
+enum class local_waypoint_driver_z_position_form : std::uint8_t {
     altitude_agl = 0,
     altitude_msl = 1,
     altitude_asf = 2,
@@ -54,22 +54,22 @@ enum class set_local_waypoint_ext_z_position_form : std::uint8_t {
 };
 
 /// ZPosition: a number in the form that is named before it.
-struct set_local_waypoint_ext_z_position {
-    set_local_waypoint_ext_z_position_form form{};
+struct local_waypoint_driver_z_position {
+    local_waypoint_driver_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const set_local_waypoint_ext_z_position&,
-                                     const set_local_waypoint_ext_z_position&) = default;
+    friend constexpr bool operator==(const local_waypoint_driver_z_position&,
+                                     const local_waypoint_driver_z_position&) = default;
 
     struct schema : wire::items {
-        using T = set_local_waypoint_ext_z_position;
+        using T = local_waypoint_driver_z_position;
         using type = layout<
-            field<&T::form, enumeration<set_local_waypoint_ext_z_position_form, u8>>,
+            field<&T::form, enumeration<local_waypoint_driver_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<set_local_waypoint_ext_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_waypoint_ext_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_waypoint_ext_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_waypoint_ext_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<set_local_waypoint_ext_z_position_form::z_local, scaled<u32le, meter_minus_50000_to_50000>>>>;
+                when<local_waypoint_driver_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_waypoint_driver_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_waypoint_driver_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_waypoint_driver_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_waypoint_driver_z_position_form::z_local, scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
 
@@ -77,7 +77,7 @@ struct set_local_waypoint_ext_z_position {
 struct set_local_waypoint_ext {
     double x{};                                 ///< meter, -20000000 to 20000000
     double y{};                                 ///< meter, -20000000 to 20000000
-    std::optional<set_local_waypoint_ext_z_position> z_position{};
+    std::optional<local_waypoint_driver_z_position> z_position{};
     std::optional<double> roll{};               ///< radian, -pi to pi
     std::optional<double> pitch{};              ///< radian, -pi to pi
     std::optional<double> heading{};            ///< radian, -pi to pi
@@ -157,40 +157,11 @@ struct report_local_waypoint {
     };
 };
 
-/// Values of ZPosition.
-enum class report_local_waypoint_ext_z_position_form : std::uint8_t {
-    altitude_agl = 0,
-    altitude_msl = 1,
-    altitude_asf = 2,
-    depth = 3,
-    z_local = 4,
-};
-
-/// ZPosition: a number in the form that is named before it.
-struct report_local_waypoint_ext_z_position {
-    report_local_waypoint_ext_z_position_form form{};
-    double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const report_local_waypoint_ext_z_position&,
-                                     const report_local_waypoint_ext_z_position&) = default;
-
-    struct schema : wire::items {
-        using T = report_local_waypoint_ext_z_position;
-        using type = layout<
-            field<&T::form, enumeration<report_local_waypoint_ext_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
-                when<report_local_waypoint_ext_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_local_waypoint_ext_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_local_waypoint_ext_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_local_waypoint_ext_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_local_waypoint_ext_z_position_form::z_local, scaled<u32le, meter_minus_50000_to_50000>>>>;
-    };
-};
-
 /// ReportLocalWaypointExt: code 44ADh, output of LocalWaypointDriver.
 struct report_local_waypoint_ext {
     double x{};                                 ///< meter, -20000000 to 20000000
     double y{};                                 ///< meter, -20000000 to 20000000
-    std::optional<report_local_waypoint_ext_z_position> z_position{};
+    std::optional<local_waypoint_driver_z_position> z_position{};
     std::optional<double> roll{};               ///< radian, -pi to pi
     std::optional<double> pitch{};              ///< radian, -pi to pi
     std::optional<double> heading{};            ///< radian, -pi to pi

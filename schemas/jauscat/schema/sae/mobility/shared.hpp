@@ -391,7 +391,7 @@ struct report_global_waypoint {
 };
 
 /// Values of ZPosition.
-enum class report_global_waypoint_ext_z_position_form : std::uint8_t {
+enum class shared_z_position_form : std::uint8_t {
     altitude_agl = 0,
     altitude_msl = 1,
     altitude_asf = 2,
@@ -399,21 +399,20 @@ enum class report_global_waypoint_ext_z_position_form : std::uint8_t {
 };
 
 /// ZPosition: a number in the form that is named before it.
-struct report_global_waypoint_ext_z_position {
-    report_global_waypoint_ext_z_position_form form{};
+struct shared_z_position {
+    shared_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const report_global_waypoint_ext_z_position&,
-                                     const report_global_waypoint_ext_z_position&) = default;
+    friend constexpr bool operator==(const shared_z_position&, const shared_z_position&) = default;
 
     struct schema : wire::items {
-        using T = report_global_waypoint_ext_z_position;
+        using T = shared_z_position;
         using type = layout<
-            field<&T::form, enumeration<report_global_waypoint_ext_z_position_form, u8>>,
+            field<&T::form, enumeration<shared_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<report_global_waypoint_ext_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_global_waypoint_ext_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_global_waypoint_ext_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<report_global_waypoint_ext_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
+                when<shared_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<shared_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<shared_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<shared_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
 
@@ -421,7 +420,7 @@ struct report_global_waypoint_ext_z_position {
 struct report_global_waypoint_ext {
     double latitude{};                          ///< degree, -90 to 90
     double longitude{};                         ///< degree, -180 to 180
-    std::optional<report_global_waypoint_ext_z_position> z_position{};
+    std::optional<shared_z_position> z_position{};
     std::optional<double> roll{};               ///< radian, -pi to pi
     std::optional<double> pitch{};              ///< radian, -pi to pi
     std::optional<double> heading{};            ///< radian, -pi to pi
