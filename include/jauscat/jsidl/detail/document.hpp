@@ -172,12 +172,19 @@ class definitions {
     /// The set in which the last name of `path` is defined, and this name.
     [[nodiscard]] std::pair<located, std::string> follow(located at, located set, std::string_view path,
                                                          const std::string& what) const {
+        // The first name may also stand in what is around the set.
+        const auto first = path.substr(0, path.find('.'));
+        while (!knows(set, first) && set.node.parent().type() == pugi::node_element) set.node = set.node.parent();
         for (auto dot = path.find('.'); dot != path.npos; dot = path.find('.')) {
             const auto alias = path.substr(0, dot);
             path.remove_prefix(dot + 1);
             set = entered(at, set, alias, what);
         }
         return {set, std::string{path}};
+    }
+    static bool knows(located set, std::string_view name) {
+        return std::ranges::any_of(
+            scope(set), [&](const auto& each) { return with_single_spaces(each.attribute("name").value()) == name; });
     }
     /// The set that is called `alias` in `set`.
     [[nodiscard]] located entered(located at, located set, std::string_view alias, const std::string& what) const {

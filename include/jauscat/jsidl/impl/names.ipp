@@ -47,10 +47,10 @@ JAUSCAT_DECL std::string snake_case(std::string_view name) {
             gap = !made.empty();
             continue;
         }
-        // A word begins at a capital behind a small letter or digit, and at the last capital of several before a
-        // small letter: the F of GPSFix.
+        // A word begins at a capital behind a small letter, and at one before a small letter: the F of GPSFix, but not
+        // the D of 2D.
         const char last = i == 0 ? ' ' : name[i - 1], next = i + 1 == name.size() ? ' ' : name[i + 1];
-        if (is_upper(c) && (is_lower(last) || is_number(last) || (is_upper(last) && is_lower(next))))
+        if (is_upper(c) && (is_lower(last) || ((is_number(last) || is_upper(last)) && is_lower(next))))
             gap = !made.empty();
         if (gap) made += '_';
         gap = false;

@@ -229,11 +229,19 @@ class set_writer {
         out += "\n/// Values of " + one.of->name + ".\nenum class " + one.name() + " : " +
                std::string{type_name(one.shape.type)} + " {\n";
         const auto names = enumerators(one.shape.names);
+        const auto line = [&](std::size_t i) {
+            return "    " + names[i] + " = " + std::to_string(one.shape.names[i].value) + ',';
+        };
+        std::size_t width = 0;
+        for (std::size_t i = 0; i != names.size(); ++i)
+            if (needs_name(one.shape.names[i].name, names[i])) width = std::max(width, line(i).size());
         for (std::size_t i = 0; i != names.size(); ++i) {
-            const auto& named = one.shape.names[i];
-            out += "    " + names[i] + " = " + std::to_string(named.value) + ',';
-            if (needs_name(named.name, names[i])) out += " ///< " + named.name;
-            out += '\n';
+            auto text = line(i);
+            if (needs_name(one.shape.names[i].name, names[i])) {
+                text.resize(width, ' ');
+                text += " ///< " + one.shape.names[i].name;
+            }
+            out += text + '\n';
         }
         out += "};\n";
     }

@@ -28,11 +28,11 @@ struct analog_video_request_id_rec {
 
 /// Values of AnalogFormat.
 enum class analog_format : std::uint8_t {
-    ntsc_m = 0, ///< NTSC-M
-    ntsc_j = 1, ///< NTSC-J
-    pal_n = 2, ///< PAL-N
-    pal_m = 3, ///< PAL-M
-    secam_l = 4, ///< SECAM-L
+    ntsc_m = 0,    ///< NTSC-M
+    ntsc_j = 1,    ///< NTSC-J
+    pal_n = 2,     ///< PAL-N
+    pal_m = 3,     ///< PAL-M
+    secam_l = 4,   ///< SECAM-L
     secam_b_g = 5, ///< SECAM-B/G
 };
 

@@ -78,11 +78,11 @@ struct digital_video_request_id_rec {
 enum class digital_format : std::uint8_t {
     avi = 0,
     mjpeg = 1,
-    mpeg_2 = 2, ///< MPEG-2
-    h_263_3 = 3, ///< H.263
-    h_263_4 = 4, ///< H.263+
+    mpeg_2 = 2,                      ///< MPEG-2
+    h_263_3 = 3,                     ///< H.263
+    h_263_4 = 4,                     ///< H.263+
     mpeg_4_visual_mpeg_4_part_2 = 5, ///< MPEG-4 Visual (MPEG-4 Part 2)
-    mpeg_4_avc = 6, ///< MPEG-4 AVC
+    mpeg_4_avc = 6,                  ///< MPEG-4 AVC
 };
 
 /// Record DigitalVideoSensorConfigurationRec.

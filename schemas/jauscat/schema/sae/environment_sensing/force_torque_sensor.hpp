@@ -83,7 +83,7 @@ struct query_force_torque {
 /// Values of CoordinateTransformSupported.
 enum class coordinate_transform_supported : std::uint8_t {
     false_value = 0, ///< False
-    true_value = 1, ///< True
+    true_value = 1,  ///< True
 };
 
 /// Record ReportForceTorqueCapabilitiesRec.

@@ -253,7 +253,7 @@ struct supported_compression {
 /// Values of CoordinateTransformationSupported.
 enum class coordinate_transformation_supported : std::uint8_t {
     false_value = 0, ///< False
-    true_value = 1, ///< True
+    true_value = 1,  ///< True
 };
 
 /// Record RangeSensorCapabilitiesRec.
@@ -366,19 +366,19 @@ struct range_sensor_data_rec {
 /// Values of RangeValidity.
 enum class range_validity : std::uint8_t {
     false_value = 0, ///< False
-    true_value = 1, ///< True
+    true_value = 1,  ///< True
 };
 
 /// Values of BearingValidity.
 enum class bearing_validity : std::uint8_t {
     false_value = 0, ///< False
-    true_value = 1, ///< True
+    true_value = 1,  ///< True
 };
 
 /// Values of InclinationValidity.
 enum class inclination_validity : std::uint8_t {
     false_value = 0, ///< False
-    true_value = 1, ///< True
+    true_value = 1,  ///< True
 };
 
 /// Record RangeSensorDataPointRec.

@@ -621,7 +621,7 @@ struct light_sensitivity_levels {
 /// Values of ImageStabilization.
 enum class report_visual_sensor_capabilities_image_stabilization : std::uint8_t {
     false_value = 0, ///< False
-    true_value = 1, ///< True
+    true_value = 1,  ///< True
 };
 
 /// Record VisualSensorCapabilitiesRec.
@@ -756,7 +756,7 @@ struct report_visual_sensor_capabilities_ext_imaging_modes {
 /// Values of ImageStabilization.
 enum class report_visual_sensor_capabilities_ext_image_stabilization : std::uint8_t {
     false_value = 0, ///< False
-    true_value = 1, ///< True
+    true_value = 1,  ///< True
 };
 
 /// Record VisualSensorCapabilitiesRec.

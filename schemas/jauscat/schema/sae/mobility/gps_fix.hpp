@@ -98,7 +98,7 @@ enum class gps_fix_command_status : std::uint8_t {
 /// Values of GPSLatLonValid.
 enum class gps_lat_lon_valid : std::uint8_t {
     false_value = 0, ///< FALSE
-    true_value = 1, ///< TRUE
+    true_value = 1,  ///< TRUE
 };
 
 /// Record AltGPSRec.
