@@ -65,7 +65,7 @@ broken_files() {
     says "sonar.xml:3: <service_def>: defines urn:acme:jss:survey:Sonar version 1.2 again"
     sed 's/10,000/10,00/' "$data/sonar.xml" >"$work/sonar.xml"
     expect 1 "$work/sonar.xml" --output "$work/a"
-    says 'sonar.xml:44: <scale_range>: real_upper_limit="10,00", expected a number'
+    says 'sonar.xml:42: <scale_range>: real_upper_limit="10,00", expected a number'
     [ ! -e "$work/a" ] || fail "it writes headers of a definition that it refuses"
     expect 1 "$data/sonar.xml" --output "$data/sonar.xml/a"
     says "cannot be written"

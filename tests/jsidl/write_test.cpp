@@ -51,7 +51,7 @@ TEST_CASE("a service with every kind of element makes the golden header") {
     REQUIRE(made->size() == 3);
     CHECK(made->at("survey/sonar.hpp") == content_of(support::test_data("sonar.hpp.golden")));
     CHECK(has(made->at("survey.hpp"), "using messages = jauscat::jaus::message_list<set_sonar, report_echoes>;"));
-    CHECK(has(made->at("ranges.hpp"), "struct meter_0_to_10000     { static constexpr double min = 0, "));
+    CHECK(has(made->at("ranges.hpp"), "struct meter_0_to_10000 "));
 }
 
 TEST_CASE("the order of the files does not change the headers") {

@@ -26,9 +26,29 @@ struct term {
         for (const auto& each : arguments) (made += &each == &arguments.front() ? "" : ", ") += each.in_one_line();
         return made + '>';
     }
+    /// The head as a template with its arguments.
+    [[nodiscard]] term parsed() const {
+        const auto open = head.find('<');
+        term made{.head = head.substr(0, open)};
+        int depth = 0;
+        std::string argument;
+        for (const char c : head.substr(open + 1, head.size() - open - 2)) {
+            depth += c == '<' ? 1 : c == '>' ? -1 : 0;
+            if (c == ',' && depth == 0) {
+                made.arguments.push_back({.head = std::exchange(argument, {})});
+            } else if (c != ' ' || !argument.empty()) {
+                argument += c;
+            }
+        }
+        made.arguments.push_back({.head = argument});
+        made.kept = made.arguments.size() == 2 ? 1 : 0; // a member, a tag
+        return made;
+    }
     /// `end` is what stands behind it.
     void print(std::string& out, std::size_t indent, const std::string& end) const {
         const auto line = std::string(indent, ' ') + in_one_line() + end;
+        if (arguments.empty() && line.size() > line_length && head.ends_with('>'))
+            return parsed().print(out, indent, end);
         if (arguments.empty() || (!is_broken() && line.size() <= line_length)) {
             out += line + '\n';
             return;
@@ -312,7 +332,7 @@ class set_writer {
         std::string line = "/// " + each.of->name + ": code " + hexadecimal(each.of->id) + 'h' +
                            (each.of->is_command ? ", command" : "") + (each.of->is_deprecated ? ", deprecated" : "");
         const auto add = [&](std::string word) {
-            if (line.size() + 1 + word.size() > line_length) {
+            if (line.size() + 2 + word.size() > line_length) { // and a full stop
                 made += line + '\n';
                 line = "///";
             }
@@ -341,15 +361,20 @@ class set_writer {
             if (!each.comment.empty()) {
                 const auto aligned = line + std::string(width + 4 - line.size(), ' ') + " ///< " + each.comment;
                 line = aligned.size() <= line_length ? aligned : line + " ///< " + each.comment;
-                if (line.size() > line_length) line = "    /// " + each.comment + "\n    " + declaration(each);
+                if (line.size() > line_length) {
+                    out += "    /// " + each.comment + '\n';
+                    line = "    " + declaration(each);
+                }
             }
-            out += line + '\n';
+            if (line.size() > line_length)
+                term{.head = each.type}.print(out, 4, ' ' + each.name + "{};");
+            else
+                out += line + '\n';
         }
         const std::string type = "const " + owner_ + '&';
         auto equal = "    friend constexpr bool operator==(" + type + ", " + type + ") = default;\n";
         if (equal.size() - 1 > line_length)
-            equal =
-                "    friend constexpr bool operator==(" + type + ",\n" + std::string(37, ' ') + type + ") = default;\n";
+            equal = "    friend constexpr bool operator==(\n        " + type + ",\n        " + type + ") = default;\n";
         out += equal + "\n    struct schema : " + library_ + "wire::items {\n" + facts;
         if (items.empty()) {
             out += "        using type = layout<>;\n";

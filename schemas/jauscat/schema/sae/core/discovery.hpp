@@ -95,8 +95,9 @@ enum class component_id : std::uint8_t {
 /// Record ComponentRec.
 struct query_services_component_rec {
     core::component_id component_id{}; ///< 1 to 254
-    friend constexpr bool operator==(const query_services_component_rec&,
-                                     const query_services_component_rec&) = default;
+    friend constexpr bool operator==(
+        const query_services_component_rec&,
+        const query_services_component_rec&) = default;
 
     struct schema : wire::items {
         using T = query_services_component_rec;
@@ -140,8 +141,9 @@ enum class subsystem_id : std::uint16_t {
 /// Record SubsystemRec.
 struct query_service_list_subsystem_rec {
     core::subsystem_id subsystem_id{}; ///< 1 to 65534
-    friend constexpr bool operator==(const query_service_list_subsystem_rec&,
-                                     const query_service_list_subsystem_rec&) = default;
+    friend constexpr bool operator==(
+        const query_service_list_subsystem_rec&,
+        const query_service_list_subsystem_rec&) = default;
 
     struct schema : wire::items {
         using T = query_service_list_subsystem_rec;
@@ -164,8 +166,9 @@ struct query_service_list_node_rec {
 struct query_service_list_component_rec {
     core::component_id component_id{};               ///< 1 to 254
     std::optional<std::string_view> search_filter{}; ///< up to 255 characters
-    friend constexpr bool operator==(const query_service_list_component_rec&,
-                                     const query_service_list_component_rec&) = default;
+    friend constexpr bool operator==(
+        const query_service_list_component_rec&,
+        const query_service_list_component_rec&) = default;
 
     struct schema : wire::items {
         using T = query_service_list_component_rec;
@@ -194,8 +197,9 @@ struct query_service_list_node_seq {
 struct query_service_list_subsystem_seq {
     query_service_list_subsystem_rec subsystem_rec{};
     wire::list<query_service_list_node_seq> node_list{}; ///< 1 to 255 elements
-    friend constexpr bool operator==(const query_service_list_subsystem_seq&,
-                                     const query_service_list_subsystem_seq&) = default;
+    friend constexpr bool operator==(
+        const query_service_list_subsystem_seq&,
+        const query_service_list_subsystem_seq&) = default;
 
     struct schema : wire::items {
         using T = query_service_list_subsystem_seq;
@@ -289,8 +293,9 @@ struct report_identification {
 /// Record NodeRec.
 struct report_configuration_node_rec {
     std::uint8_t node_id{};
-    friend constexpr bool operator==(const report_configuration_node_rec&,
-                                     const report_configuration_node_rec&) = default;
+    friend constexpr bool operator==(
+        const report_configuration_node_rec&,
+        const report_configuration_node_rec&) = default;
 
     struct schema : wire::items {
         using T = report_configuration_node_rec;
@@ -302,8 +307,9 @@ struct report_configuration_node_rec {
 struct report_configuration_component_rec {
     std::uint8_t component_id{};
     std::uint8_t instance_id{};
-    friend constexpr bool operator==(const report_configuration_component_rec&,
-                                     const report_configuration_component_rec&) = default;
+    friend constexpr bool operator==(
+        const report_configuration_component_rec&,
+        const report_configuration_component_rec&) = default;
 
     struct schema : wire::items {
         using T = report_configuration_component_rec;
@@ -317,8 +323,9 @@ struct report_configuration_component_rec {
 struct report_configuration_node_seq {
     report_configuration_node_rec node_rec{};
     wire::list<report_configuration_component_rec> component_list{}; ///< up to 255 elements
-    friend constexpr bool operator==(const report_configuration_node_seq&,
-                                     const report_configuration_node_seq&) = default;
+    friend constexpr bool operator==(
+        const report_configuration_node_seq&,
+        const report_configuration_node_seq&) = default;
 
     struct schema : wire::items {
         using T = report_configuration_node_seq;
@@ -346,8 +353,9 @@ struct report_subsystem_list_subsystem_rec {
     std::uint16_t subsystem_id{};
     std::uint8_t node_id{};
     std::uint8_t component_id{};
-    friend constexpr bool operator==(const report_subsystem_list_subsystem_rec&,
-                                     const report_subsystem_list_subsystem_rec&) = default;
+    friend constexpr bool operator==(
+        const report_subsystem_list_subsystem_rec&,
+        const report_subsystem_list_subsystem_rec&) = default;
 
     struct schema : wire::items {
         using T = report_subsystem_list_subsystem_rec;
@@ -386,8 +394,9 @@ struct report_services_node_rec {
 struct report_services_component_rec {
     std::uint8_t component_id{};
     std::uint8_t instance_id{};
-    friend constexpr bool operator==(const report_services_component_rec&,
-                                     const report_services_component_rec&) = default;
+    friend constexpr bool operator==(
+        const report_services_component_rec&,
+        const report_services_component_rec&) = default;
 
     struct schema : wire::items {
         using T = report_services_component_rec;
@@ -441,8 +450,9 @@ struct report_services {
 /// Record SubsystemRec.
 struct report_service_list_subsystem_rec {
     std::uint16_t subsystem_id{};
-    friend constexpr bool operator==(const report_service_list_subsystem_rec&,
-                                     const report_service_list_subsystem_rec&) = default;
+    friend constexpr bool operator==(
+        const report_service_list_subsystem_rec&,
+        const report_service_list_subsystem_rec&) = default;
 
     struct schema : wire::items {
         using T = report_service_list_subsystem_rec;
@@ -453,8 +463,9 @@ struct report_service_list_subsystem_rec {
 /// Record NodeRec.
 struct report_service_list_node_rec {
     std::uint8_t node_id{};
-    friend constexpr bool operator==(const report_service_list_node_rec&,
-                                     const report_service_list_node_rec&) = default;
+    friend constexpr bool operator==(
+        const report_service_list_node_rec&,
+        const report_service_list_node_rec&) = default;
 
     struct schema : wire::items {
         using T = report_service_list_node_rec;
@@ -466,8 +477,9 @@ struct report_service_list_node_rec {
 struct report_service_list_node_seq {
     report_service_list_node_rec node_rec{};
     wire::list<component_seq> component_list{}; ///< up to 255 elements
-    friend constexpr bool operator==(const report_service_list_node_seq&,
-                                     const report_service_list_node_seq&) = default;
+    friend constexpr bool operator==(
+        const report_service_list_node_seq&,
+        const report_service_list_node_seq&) = default;
 
     struct schema : wire::items {
         using T = report_service_list_node_seq;
@@ -481,8 +493,9 @@ struct report_service_list_node_seq {
 struct report_service_list_subsystem_seq {
     report_service_list_subsystem_rec subsystem_rec{};
     wire::list<report_service_list_node_seq> node_list{}; ///< up to 255 elements
-    friend constexpr bool operator==(const report_service_list_subsystem_seq&,
-                                     const report_service_list_subsystem_seq&) = default;
+    friend constexpr bool operator==(
+        const report_service_list_subsystem_seq&,
+        const report_service_list_subsystem_seq&) = default;
 
     struct schema : wire::items {
         using T = report_service_list_subsystem_seq;

@@ -40,8 +40,9 @@ enum class analog_format : std::uint8_t {
 struct analog_video_sensor_configuration_rec {
     std::uint16_t sensor_id{}; ///< 1 to 65535
     environment_sensing::analog_format analog_format{};
-    friend constexpr bool operator==(const analog_video_sensor_configuration_rec&,
-                                     const analog_video_sensor_configuration_rec&) = default;
+    friend constexpr bool operator==(
+        const analog_video_sensor_configuration_rec&,
+        const analog_video_sensor_configuration_rec&) = default;
 
     struct schema : wire::items {
         using T = analog_video_sensor_configuration_rec;
@@ -55,8 +56,9 @@ struct analog_video_sensor_configuration_rec {
 struct set_analog_video_sensor_configuration {
     analog_video_request_id_rec request_id_rec{};
     wire::list<analog_video_sensor_configuration_rec> analog_video_sensor_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const set_analog_video_sensor_configuration&,
-                                     const set_analog_video_sensor_configuration&) = default;
+    friend constexpr bool operator==(
+        const set_analog_video_sensor_configuration&,
+        const set_analog_video_sensor_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0806;
@@ -71,8 +73,9 @@ struct set_analog_video_sensor_configuration {
 /// QueryAnalogVideoSensorConfiguration: code 2811h, input of AnalogVideo.
 struct query_analog_video_sensor_configuration {
     wire::list<sensor_id_query_rec> sensor_id_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const query_analog_video_sensor_configuration&,
-                                     const query_analog_video_sensor_configuration&) = default;
+    friend constexpr bool operator==(
+        const query_analog_video_sensor_configuration&,
+        const query_analog_video_sensor_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2811;
@@ -85,8 +88,9 @@ struct query_analog_video_sensor_configuration {
 /// QueryAnalogVideoSensorCapabilities: code 2810h, input of AnalogVideo.
 struct query_analog_video_sensor_capabilities {
     wire::list<sensor_id_query_rec> sensor_id_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const query_analog_video_sensor_capabilities&,
-                                     const query_analog_video_sensor_capabilities&) = default;
+    friend constexpr bool operator==(
+        const query_analog_video_sensor_capabilities&,
+        const query_analog_video_sensor_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2810;
@@ -100,15 +104,17 @@ struct query_analog_video_sensor_capabilities {
 struct report_analog_video_sensor_configuration {
     /// up to 65535 elements
     wire::list<analog_video_sensor_configuration_rec> analog_video_sensor_configuration_list{};
-    friend constexpr bool operator==(const report_analog_video_sensor_configuration&,
-                                     const report_analog_video_sensor_configuration&) = default;
+    friend constexpr bool operator==(
+        const report_analog_video_sensor_configuration&,
+        const report_analog_video_sensor_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4811;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_analog_video_sensor_configuration;
         using type = layout<
-            repeated<&T::analog_video_sensor_configuration_list, count<"analog_video_sensor_configuration_list_count", u16le>>>;
+            repeated<&T::analog_video_sensor_configuration_list,
+                count<"analog_video_sensor_configuration_list_count", u16le>>>;
     };
 };
 
@@ -176,8 +182,9 @@ struct supported_analog_formats {
 struct analog_video_sensor_capabilities_rec {
     std::uint16_t sensor_id{}; ///< 1 to 65535
     environment_sensing::supported_analog_formats supported_analog_formats{};
-    friend constexpr bool operator==(const analog_video_sensor_capabilities_rec&,
-                                     const analog_video_sensor_capabilities_rec&) = default;
+    friend constexpr bool operator==(
+        const analog_video_sensor_capabilities_rec&,
+        const analog_video_sensor_capabilities_rec&) = default;
 
     struct schema : wire::items {
         using T = analog_video_sensor_capabilities_rec;
@@ -190,15 +197,17 @@ struct analog_video_sensor_capabilities_rec {
 /// ReportAnalogVideoSensorCapabilities: code 4810h, output of AnalogVideo.
 struct report_analog_video_sensor_capabilities {
     wire::list<analog_video_sensor_capabilities_rec> analog_video_sensor_capabilities_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const report_analog_video_sensor_capabilities&,
-                                     const report_analog_video_sensor_capabilities&) = default;
+    friend constexpr bool operator==(
+        const report_analog_video_sensor_capabilities&,
+        const report_analog_video_sensor_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4810;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_analog_video_sensor_capabilities;
         using type = layout<
-            repeated<&T::analog_video_sensor_capabilities_list, count<"analog_video_sensor_capabilities_list_count", u16le>>>;
+            repeated<&T::analog_video_sensor_capabilities_list,
+                count<"analog_video_sensor_capabilities_list_count", u16le>>>;
     };
 };
 

@@ -18,8 +18,9 @@ namespace jauscat::sae::environment_sensing {
 /// Record RequestIdRec.
 struct digital_audio_output_request_id_rec {
     std::uint8_t request_id{};
-    friend constexpr bool operator==(const digital_audio_output_request_id_rec&,
-                                     const digital_audio_output_request_id_rec&) = default;
+    friend constexpr bool operator==(
+        const digital_audio_output_request_id_rec&,
+        const digital_audio_output_request_id_rec&) = default;
 
     struct schema : wire::items {
         using T = digital_audio_output_request_id_rec;
@@ -39,8 +40,9 @@ struct digital_audio_output_source_rec {
     std::string_view stream_url{}; ///< up to 255 characters
     environment_sensing::repeat repeat{};
     double volume{};               ///< percent, 0 to 100
-    friend constexpr bool operator==(const digital_audio_output_source_rec&,
-                                     const digital_audio_output_source_rec&) = default;
+    friend constexpr bool operator==(
+        const digital_audio_output_source_rec&,
+        const digital_audio_output_source_rec&) = default;
 
     struct schema : wire::items {
         using T = digital_audio_output_source_rec;
@@ -56,8 +58,9 @@ struct digital_audio_output_source_rec {
 struct set_digital_audio_output_source {
     digital_audio_output_request_id_rec request_id_rec{};
     wire::list<digital_audio_output_source_rec> digital_audio_output_source_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const set_digital_audio_output_source&,
-                                     const set_digital_audio_output_source&) = default;
+    friend constexpr bool operator==(
+        const set_digital_audio_output_source&,
+        const set_digital_audio_output_source&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0818;
@@ -72,8 +75,9 @@ struct set_digital_audio_output_source {
 /// QueryDigitalAudioOutputSource: code 2818h, input of DigitalAudioOutput.
 struct query_digital_audio_output_source {
     environment_sensing::sensor_id sensor_id{}; ///< 1 to 65535
-    friend constexpr bool operator==(const query_digital_audio_output_source&,
-                                     const query_digital_audio_output_source&) = default;
+    friend constexpr bool operator==(
+        const query_digital_audio_output_source&,
+        const query_digital_audio_output_source&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2818;
@@ -86,8 +90,9 @@ struct query_digital_audio_output_source {
 /// QueryDigitalAudioOutputCapabilities: code 2819h, input of DigitalAudioOutput.
 struct query_digital_audio_output_capabilities {
     environment_sensing::sensor_id sensor_id{}; ///< 1 to 65535
-    friend constexpr bool operator==(const query_digital_audio_output_capabilities&,
-                                     const query_digital_audio_output_capabilities&) = default;
+    friend constexpr bool operator==(
+        const query_digital_audio_output_capabilities&,
+        const query_digital_audio_output_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2819;
@@ -100,8 +105,9 @@ struct query_digital_audio_output_capabilities {
 /// ReportDigitalAudioOutputSource: code 4818h, output of DigitalAudioOutput.
 struct report_digital_audio_output_source {
     wire::list<digital_audio_output_source_rec> digital_audio_output_source_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const report_digital_audio_output_source&,
-                                     const report_digital_audio_output_source&) = default;
+    friend constexpr bool operator==(
+        const report_digital_audio_output_source&,
+        const report_digital_audio_output_source&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4818;
@@ -233,8 +239,9 @@ struct digital_audio_output_supported_digital_formats {
     environment_sensing::vorbis vorbis{};
     environment_sensing::wma wma{};
     environment_sensing::speex speex{};
-    friend constexpr bool operator==(const digital_audio_output_supported_digital_formats&,
-                                     const digital_audio_output_supported_digital_formats&) = default;
+    friend constexpr bool operator==(
+        const digital_audio_output_supported_digital_formats&,
+        const digital_audio_output_supported_digital_formats&) = default;
 
     struct schema : wire::items {
         using T = digital_audio_output_supported_digital_formats;
@@ -346,8 +353,9 @@ struct digital_audio_output_capabilities_rec {
     std::optional<std::uint32_t> min_sample_rate{};
     std::optional<std::uint32_t> max_sample_rate{};
     std::optional<environment_sensing::supported_bit_depths> supported_bit_depths{};
-    friend constexpr bool operator==(const digital_audio_output_capabilities_rec&,
-                                     const digital_audio_output_capabilities_rec&) = default;
+    friend constexpr bool operator==(
+        const digital_audio_output_capabilities_rec&,
+        const digital_audio_output_capabilities_rec&) = default;
 
     struct schema : wire::items {
         using T = digital_audio_output_capabilities_rec;
@@ -367,15 +375,17 @@ struct digital_audio_output_capabilities_rec {
 struct report_digital_audio_output_capabilities {
     /// up to 65535 elements
     wire::list<digital_audio_output_capabilities_rec> digital_audio_output_capabilities_list{};
-    friend constexpr bool operator==(const report_digital_audio_output_capabilities&,
-                                     const report_digital_audio_output_capabilities&) = default;
+    friend constexpr bool operator==(
+        const report_digital_audio_output_capabilities&,
+        const report_digital_audio_output_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4819;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_digital_audio_output_capabilities;
         using type = layout<
-            repeated<&T::digital_audio_output_capabilities_list, count<"digital_audio_output_capabilities_list_count", u16le>>>;
+            repeated<&T::digital_audio_output_capabilities_list,
+                count<"digital_audio_output_capabilities_list_count", u16le>>>;
     };
 };
 

@@ -17,8 +17,9 @@ namespace jauscat::sae::environment_sensing {
 
 /// QueryDigitalResourceEndpoint: code 2816h, input of DigitalResourceDiscovery.
 struct query_digital_resource_endpoint {
-    friend constexpr bool operator==(const query_digital_resource_endpoint&,
-                                     const query_digital_resource_endpoint&) = default;
+    friend constexpr bool operator==(
+        const query_digital_resource_endpoint&,
+        const query_digital_resource_endpoint&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2816;
@@ -30,8 +31,9 @@ struct query_digital_resource_endpoint {
 /// Record RequestIDRec.
 struct digital_resource_discovery_request_id_rec {
     std::uint8_t request_id{};
-    friend constexpr bool operator==(const digital_resource_discovery_request_id_rec&,
-                                     const digital_resource_discovery_request_id_rec&) = default;
+    friend constexpr bool operator==(
+        const digital_resource_discovery_request_id_rec&,
+        const digital_resource_discovery_request_id_rec&) = default;
 
     struct schema : wire::items {
         using T = digital_resource_discovery_request_id_rec;
@@ -75,8 +77,9 @@ struct digital_resource_endpoint_rec {
     std::string_view server_url{};                  ///< up to 255 characters
     std::optional<environment_sensing::jaus_id> jaus_id{};
     std::optional<std::uint16_t> resource_id{};
-    friend constexpr bool operator==(const digital_resource_endpoint_rec&,
-                                     const digital_resource_endpoint_rec&) = default;
+    friend constexpr bool operator==(
+        const digital_resource_endpoint_rec&,
+        const digital_resource_endpoint_rec&) = default;
 
     struct schema : wire::items {
         using T = digital_resource_endpoint_rec;
@@ -93,8 +96,9 @@ struct digital_resource_endpoint_rec {
 struct register_digital_resource_endpoint {
     digital_resource_discovery_request_id_rec request_id_rec{};
     environment_sensing::digital_resource_endpoint_rec digital_resource_endpoint_rec{};
-    friend constexpr bool operator==(const register_digital_resource_endpoint&,
-                                     const register_digital_resource_endpoint&) = default;
+    friend constexpr bool operator==(
+        const register_digital_resource_endpoint&,
+        const register_digital_resource_endpoint&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0808;
@@ -110,8 +114,9 @@ struct register_digital_resource_endpoint {
 struct remove_digital_resource_endpoint {
     std::uint8_t id{};
     std::uint8_t request_id{};
-    friend constexpr bool operator==(const remove_digital_resource_endpoint&,
-                                     const remove_digital_resource_endpoint&) = default;
+    friend constexpr bool operator==(
+        const remove_digital_resource_endpoint&,
+        const remove_digital_resource_endpoint&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0809;
@@ -126,8 +131,9 @@ struct remove_digital_resource_endpoint {
 /// ReportDigitalResourceEndpoint: code 4816h, output of DigitalResourceDiscovery.
 struct report_digital_resource_endpoint {
     wire::list<digital_resource_endpoint_rec> digital_resource_endpoint_list{}; ///< up to 255 elements
-    friend constexpr bool operator==(const report_digital_resource_endpoint&,
-                                     const report_digital_resource_endpoint&) = default;
+    friend constexpr bool operator==(
+        const report_digital_resource_endpoint&,
+        const report_digital_resource_endpoint&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4816;
@@ -142,8 +148,9 @@ struct report_digital_resource_endpoint {
 struct confirm_digital_resource_endpoint {
     std::uint8_t id{};
     std::uint8_t request_id{};
-    friend constexpr bool operator==(const confirm_digital_resource_endpoint&,
-                                     const confirm_digital_resource_endpoint&) = default;
+    friend constexpr bool operator==(
+        const confirm_digital_resource_endpoint&,
+        const confirm_digital_resource_endpoint&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x080A;

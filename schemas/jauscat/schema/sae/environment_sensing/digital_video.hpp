@@ -26,8 +26,9 @@ enum class stream_state : std::uint8_t {
 struct control_digital_video_sensor_stream {
     std::uint16_t sensor_id{}; ///< 1 to 65535
     environment_sensing::stream_state stream_state{};
-    friend constexpr bool operator==(const control_digital_video_sensor_stream&,
-                                     const control_digital_video_sensor_stream&) = default;
+    friend constexpr bool operator==(
+        const control_digital_video_sensor_stream&,
+        const control_digital_video_sensor_stream&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0805;
@@ -49,8 +50,9 @@ enum class requested_recording_state : std::uint8_t {
 struct control_digital_video_sensor_recording {
     std::uint16_t sensor_id{}; ///< 1 to 65535
     environment_sensing::requested_recording_state requested_recording_state{};
-    friend constexpr bool operator==(const control_digital_video_sensor_recording&,
-                                     const control_digital_video_sensor_recording&) = default;
+    friend constexpr bool operator==(
+        const control_digital_video_sensor_recording&,
+        const control_digital_video_sensor_recording&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0810;
@@ -65,8 +67,9 @@ struct control_digital_video_sensor_recording {
 /// Record RequestIdRec.
 struct digital_video_request_id_rec {
     std::uint8_t request_id{};
-    friend constexpr bool operator==(const digital_video_request_id_rec&,
-                                     const digital_video_request_id_rec&) = default;
+    friend constexpr bool operator==(
+        const digital_video_request_id_rec&,
+        const digital_video_request_id_rec&) = default;
 
     struct schema : wire::items {
         using T = digital_video_request_id_rec;
@@ -93,8 +96,9 @@ struct digital_video_sensor_configuration_rec {
     std::optional<std::uint8_t> frame_rate{};
     std::optional<environment_sensing::frame_size> frame_size{};
     std::optional<environment_sensing::digital_format> digital_format{};
-    friend constexpr bool operator==(const digital_video_sensor_configuration_rec&,
-                                     const digital_video_sensor_configuration_rec&) = default;
+    friend constexpr bool operator==(
+        const digital_video_sensor_configuration_rec&,
+        const digital_video_sensor_configuration_rec&) = default;
 
     struct schema : wire::items {
         using T = digital_video_sensor_configuration_rec;
@@ -113,8 +117,9 @@ struct digital_video_sensor_configuration_rec {
 struct set_digital_video_sensor_configuration {
     digital_video_request_id_rec request_id_rec{};
     wire::list<digital_video_sensor_configuration_rec> digital_video_sensor_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const set_digital_video_sensor_configuration&,
-                                     const set_digital_video_sensor_configuration&) = default;
+    friend constexpr bool operator==(
+        const set_digital_video_sensor_configuration&,
+        const set_digital_video_sensor_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0804;
@@ -130,8 +135,9 @@ struct set_digital_video_sensor_configuration {
 struct query_digital_video_configuration_rec {
     environment_sensing::sensor_id sensor_id{}; ///< 1 to 65535
     std::uint8_t query_presence_vector{};
-    friend constexpr bool operator==(const query_digital_video_configuration_rec&,
-                                     const query_digital_video_configuration_rec&) = default;
+    friend constexpr bool operator==(
+        const query_digital_video_configuration_rec&,
+        const query_digital_video_configuration_rec&) = default;
 
     struct schema : wire::items {
         using T = query_digital_video_configuration_rec;
@@ -145,15 +151,17 @@ struct query_digital_video_configuration_rec {
 struct query_digital_video_sensor_configuration {
     /// up to 65535 elements
     wire::list<query_digital_video_configuration_rec> query_digital_video_configuration_list{};
-    friend constexpr bool operator==(const query_digital_video_sensor_configuration&,
-                                     const query_digital_video_sensor_configuration&) = default;
+    friend constexpr bool operator==(
+        const query_digital_video_sensor_configuration&,
+        const query_digital_video_sensor_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2809;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_digital_video_sensor_configuration;
         using type = layout<
-            repeated<&T::query_digital_video_configuration_list, count<"query_digital_video_configuration_list_count", u16le>>>;
+            repeated<&T::query_digital_video_configuration_list,
+                count<"query_digital_video_configuration_list_count", u16le>>>;
     };
 };
 
@@ -161,8 +169,9 @@ struct query_digital_video_sensor_configuration {
 struct query_digital_video_sensor_capabilities_rec {
     environment_sensing::sensor_id sensor_id{}; ///< 1 to 65535
     std::uint8_t query_presence_vector{};
-    friend constexpr bool operator==(const query_digital_video_sensor_capabilities_rec&,
-                                     const query_digital_video_sensor_capabilities_rec&) = default;
+    friend constexpr bool operator==(
+        const query_digital_video_sensor_capabilities_rec&,
+        const query_digital_video_sensor_capabilities_rec&) = default;
 
     struct schema : wire::items {
         using T = query_digital_video_sensor_capabilities_rec;
@@ -176,23 +185,26 @@ struct query_digital_video_sensor_capabilities_rec {
 struct query_digital_video_sensor_capabilities_ext {
     /// up to 65535 elements
     wire::list<query_digital_video_sensor_capabilities_rec> query_digital_video_sensor_capabilities_list{};
-    friend constexpr bool operator==(const query_digital_video_sensor_capabilities_ext&,
-                                     const query_digital_video_sensor_capabilities_ext&) = default;
+    friend constexpr bool operator==(
+        const query_digital_video_sensor_capabilities_ext&,
+        const query_digital_video_sensor_capabilities_ext&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x281D;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_digital_video_sensor_capabilities_ext;
         using type = layout<
-            repeated<&T::query_digital_video_sensor_capabilities_list, count<"query_digital_video_sensor_capabilities_list_count", u16le>>>;
+            repeated<&T::query_digital_video_sensor_capabilities_list,
+                count<"query_digital_video_sensor_capabilities_list_count", u16le>>>;
     };
 };
 
 /// QueryDigitalVideoSensorStatus: code 281Eh, input of DigitalVideo.
 struct query_digital_video_sensor_status {
     wire::list<sensor_id_query_rec> sensor_id_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const query_digital_video_sensor_status&,
-                                     const query_digital_video_sensor_status&) = default;
+    friend constexpr bool operator==(
+        const query_digital_video_sensor_status&,
+        const query_digital_video_sensor_status&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x281E;
@@ -253,8 +265,9 @@ struct digital_video_supported_digital_formats {
     environment_sensing::h263plus h263plus{};
     environment_sensing::mpeg4_visual mpeg4_visual{};
     environment_sensing::mpeg4_avc_h264 mpeg4_avc_h264{};
-    friend constexpr bool operator==(const digital_video_supported_digital_formats&,
-                                     const digital_video_supported_digital_formats&) = default;
+    friend constexpr bool operator==(
+        const digital_video_supported_digital_formats&,
+        const digital_video_supported_digital_formats&) = default;
 
     struct schema : wire::items {
         using T = digital_video_supported_digital_formats;
@@ -287,8 +300,9 @@ struct digital_video_sensor_capabilities_rec {
     std::optional<environment_sensing::supported_frame_sizes> supported_frame_sizes{};
     std::optional<digital_video_supported_digital_formats> supported_digital_formats{};
     std::optional<environment_sensing::recording_supported> recording_supported{};
-    friend constexpr bool operator==(const digital_video_sensor_capabilities_rec&,
-                                     const digital_video_sensor_capabilities_rec&) = default;
+    friend constexpr bool operator==(
+        const digital_video_sensor_capabilities_rec&,
+        const digital_video_sensor_capabilities_rec&) = default;
 
     struct schema : wire::items {
         using T = digital_video_sensor_capabilities_rec;
@@ -308,8 +322,9 @@ struct digital_video_sensor_capabilities_rec {
 /// ReportDigitalVideoSensorCapabilitiesExt: code 481Dh, output of DigitalVideo.
 struct report_digital_video_sensor_capabilities_ext {
     wire::list<digital_video_sensor_capabilities_rec> digital_video_sensor_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const report_digital_video_sensor_capabilities_ext&,
-                                     const report_digital_video_sensor_capabilities_ext&) = default;
+    friend constexpr bool operator==(
+        const report_digital_video_sensor_capabilities_ext&,
+        const report_digital_video_sensor_capabilities_ext&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x481D;
@@ -323,15 +338,17 @@ struct report_digital_video_sensor_capabilities_ext {
 struct report_digital_video_sensor_configuration {
     /// up to 65535 elements
     wire::list<digital_video_sensor_configuration_rec> digital_video_sensor_configuration_list{};
-    friend constexpr bool operator==(const report_digital_video_sensor_configuration&,
-                                     const report_digital_video_sensor_configuration&) = default;
+    friend constexpr bool operator==(
+        const report_digital_video_sensor_configuration&,
+        const report_digital_video_sensor_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4809;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_digital_video_sensor_configuration;
         using type = layout<
-            repeated<&T::digital_video_sensor_configuration_list, count<"digital_video_sensor_configuration_list_count", u16le>>>;
+            repeated<&T::digital_video_sensor_configuration_list,
+                count<"digital_video_sensor_configuration_list_count", u16le>>>;
     };
 };
 
@@ -353,8 +370,9 @@ struct digital_video_sensor_status_rec {
     std::uint16_t sensor_id{}; ///< 1 to 65535
     environment_sensing::streaming_state streaming_state{};
     environment_sensing::recording_state recording_state{};
-    friend constexpr bool operator==(const digital_video_sensor_status_rec&,
-                                     const digital_video_sensor_status_rec&) = default;
+    friend constexpr bool operator==(
+        const digital_video_sensor_status_rec&,
+        const digital_video_sensor_status_rec&) = default;
 
     struct schema : wire::items {
         using T = digital_video_sensor_status_rec;
@@ -368,8 +386,9 @@ struct digital_video_sensor_status_rec {
 /// ReportDigitalVideoSensorStatus: code 481Eh, output of DigitalVideo.
 struct report_digital_video_sensor_status {
     wire::list<digital_video_sensor_status_rec> digital_video_sensor_status_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const report_digital_video_sensor_status&,
-                                     const report_digital_video_sensor_status&) = default;
+    friend constexpr bool operator==(
+        const report_digital_video_sensor_status&,
+        const report_digital_video_sensor_status&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x481E;

@@ -19,8 +19,9 @@ namespace jauscat::sae::environment_sensing {
 struct query_force_torque_capabilities_rec {
     std::uint16_t sensor_id{};
     std::uint16_t query_presence_vector{};
-    friend constexpr bool operator==(const query_force_torque_capabilities_rec&,
-                                     const query_force_torque_capabilities_rec&) = default;
+    friend constexpr bool operator==(
+        const query_force_torque_capabilities_rec&,
+        const query_force_torque_capabilities_rec&) = default;
 
     struct schema : wire::items {
         using T = query_force_torque_capabilities_rec;
@@ -33,15 +34,17 @@ struct query_force_torque_capabilities_rec {
 /// QueryForceTorqueCapabilities: code 280Bh, input of ForceTorqueSensor.
 struct query_force_torque_capabilities {
     wire::list<query_force_torque_capabilities_rec> query_force_torque_capabilities_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const query_force_torque_capabilities&,
-                                     const query_force_torque_capabilities&) = default;
+    friend constexpr bool operator==(
+        const query_force_torque_capabilities&,
+        const query_force_torque_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x280B;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_force_torque_capabilities;
         using type = layout<
-            repeated<&T::query_force_torque_capabilities_list, count<"query_force_torque_capabilities_list_count", u16le>>>;
+            repeated<&T::query_force_torque_capabilities_list,
+                count<"query_force_torque_capabilities_list_count", u16le>>>;
     };
 };
 
@@ -103,8 +106,9 @@ struct report_force_torque_capabilities_rec {
     std::optional<double> max_torque_y{}; ///< newton meter, -5000 to 5000
     std::optional<double> min_torque_z{}; ///< newton meter, -5000 to 5000
     std::optional<double> max_torque_z{}; ///< newton meter, -5000 to 5000
-    friend constexpr bool operator==(const report_force_torque_capabilities_rec&,
-                                     const report_force_torque_capabilities_rec&) = default;
+    friend constexpr bool operator==(
+        const report_force_torque_capabilities_rec&,
+        const report_force_torque_capabilities_rec&) = default;
 
     struct schema : wire::items {
         using T = report_force_torque_capabilities_rec;
@@ -112,7 +116,8 @@ struct report_force_torque_capabilities_rec {
             presence<u16le,
                 field<&T::sensor_id, u16le>,
                 string<&T::sensor_name, count<"sensor_name_size", u8>>,
-                field<&T::coordinate_transform_supported, enumeration<environment_sensing::coordinate_transform_supported, u8>>,
+                field<&T::coordinate_transform_supported,
+                    enumeration<environment_sensing::coordinate_transform_supported, u8>>,
                 field<&T::min_force_x, scaled<u16le, newton_minus_5000_to_5000>>,
                 field<&T::max_force_x, scaled<u16le, newton_minus_5000_to_5000>>,
                 field<&T::min_force_y, scaled<u16le, newton_minus_5000_to_5000>>,
@@ -131,15 +136,17 @@ struct report_force_torque_capabilities_rec {
 /// ReportForceTorqueCapabilities: code 480Bh, output of ForceTorqueSensor.
 struct report_force_torque_capabilities {
     wire::list<report_force_torque_capabilities_rec> report_force_torque_capabilities_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const report_force_torque_capabilities&,
-                                     const report_force_torque_capabilities&) = default;
+    friend constexpr bool operator==(
+        const report_force_torque_capabilities&,
+        const report_force_torque_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x480B;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_force_torque_capabilities;
         using type = layout<
-            repeated<&T::report_force_torque_capabilities_list, count<"report_force_torque_capabilities_list_count", u16le>>>;
+            repeated<&T::report_force_torque_capabilities_list,
+                count<"report_force_torque_capabilities_list_count", u16le>>>;
     };
 };
 

@@ -37,8 +37,9 @@ struct range_sensor_configuration_rec {
     std::optional<double> minimum_range{};                        ///< meter, 0 to 1000000
     std::optional<double> maximum_range{};                        ///< meter, 0 to 1000000
     std::optional<environment_sensing::sensor_state> sensor_state{};
-    friend constexpr bool operator==(const range_sensor_configuration_rec&,
-                                     const range_sensor_configuration_rec&) = default;
+    friend constexpr bool operator==(
+        const range_sensor_configuration_rec&,
+        const range_sensor_configuration_rec&) = default;
 
     struct schema : wire::items {
         using T = range_sensor_configuration_rec;
@@ -60,8 +61,9 @@ struct range_sensor_configuration_rec {
 struct set_range_sensor_configuration {
     range_sensor_request_id_rec request_id_rec{};
     wire::list<range_sensor_configuration_rec> range_sensor_configuration_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const set_range_sensor_configuration&,
-                                     const set_range_sensor_configuration&) = default;
+    friend constexpr bool operator==(
+        const set_range_sensor_configuration&,
+        const set_range_sensor_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0802;
@@ -87,8 +89,9 @@ struct query_range_sensor_compressed_data_rec {
     environment_sensing::report_coordinate_system report_coordinate_system{};
     environment_sensing::data_compression data_compression{};
     std::uint16_t query_presence_vector{};
-    friend constexpr bool operator==(const query_range_sensor_compressed_data_rec&,
-                                     const query_range_sensor_compressed_data_rec&) = default;
+    friend constexpr bool operator==(
+        const query_range_sensor_compressed_data_rec&,
+        const query_range_sensor_compressed_data_rec&) = default;
 
     struct schema : wire::items {
         using T = query_range_sensor_compressed_data_rec;
@@ -104,15 +107,17 @@ struct query_range_sensor_compressed_data_rec {
 struct query_range_sensor_compressed_data {
     /// up to 65535 elements
     wire::list<query_range_sensor_compressed_data_rec> query_range_sensor_compressed_data_list{};
-    friend constexpr bool operator==(const query_range_sensor_compressed_data&,
-                                     const query_range_sensor_compressed_data&) = default;
+    friend constexpr bool operator==(
+        const query_range_sensor_compressed_data&,
+        const query_range_sensor_compressed_data&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2804;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_range_sensor_compressed_data;
         using type = layout<
-            repeated<&T::query_range_sensor_compressed_data_list, count<"query_range_sensor_compressed_data_list_count", u16le>>>;
+            repeated<&T::query_range_sensor_compressed_data_list,
+                count<"query_range_sensor_compressed_data_list_count", u16le>>>;
     };
 };
 
@@ -150,8 +155,9 @@ struct query_range_sensor_data {
 struct query_range_sensor_capabilities_rec {
     environment_sensing::sensor_id sensor_id{}; ///< 1 to 65535
     std::uint16_t query_presence_vector{};
-    friend constexpr bool operator==(const query_range_sensor_capabilities_rec&,
-                                     const query_range_sensor_capabilities_rec&) = default;
+    friend constexpr bool operator==(
+        const query_range_sensor_capabilities_rec&,
+        const query_range_sensor_capabilities_rec&) = default;
 
     struct schema : wire::items {
         using T = query_range_sensor_capabilities_rec;
@@ -164,8 +170,9 @@ struct query_range_sensor_capabilities_rec {
 /// QueryRangeSensorCapabilities: code 2801h, input of RangeSensor.
 struct query_range_sensor_capabilities {
     wire::list<query_range_sensor_capabilities_rec> range_sensor_capabilities_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const query_range_sensor_capabilities&,
-                                     const query_range_sensor_capabilities&) = default;
+    friend constexpr bool operator==(
+        const query_range_sensor_capabilities&,
+        const query_range_sensor_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2801;
@@ -180,8 +187,9 @@ struct query_range_sensor_capabilities {
 struct query_range_sensor_configuration_rec {
     environment_sensing::sensor_id sensor_id{}; ///< 1 to 65535
     std::uint16_t query_presence_vector{};
-    friend constexpr bool operator==(const query_range_sensor_configuration_rec&,
-                                     const query_range_sensor_configuration_rec&) = default;
+    friend constexpr bool operator==(
+        const query_range_sensor_configuration_rec&,
+        const query_range_sensor_configuration_rec&) = default;
 
     struct schema : wire::items {
         using T = query_range_sensor_configuration_rec;
@@ -194,8 +202,9 @@ struct query_range_sensor_configuration_rec {
 /// QueryRangeSensorConfiguration: code 2802h, input of RangeSensor.
 struct query_range_sensor_configuration {
     wire::list<query_range_sensor_configuration_rec> range_sensor_configuration_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const query_range_sensor_configuration&,
-                                     const query_range_sensor_configuration&) = default;
+    friend constexpr bool operator==(
+        const query_range_sensor_configuration&,
+        const query_range_sensor_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2802;
@@ -271,8 +280,9 @@ struct range_sensor_capabilities_rec {
     std::optional<double> maximum_range{};                                ///< meter, 0 to 1000000
     std::optional<environment_sensing::supported_compression> supported_compression{};
     std::optional<environment_sensing::coordinate_transformation_supported> coordinate_transformation_supported{};
-    friend constexpr bool operator==(const range_sensor_capabilities_rec&,
-                                     const range_sensor_capabilities_rec&) = default;
+    friend constexpr bool operator==(
+        const range_sensor_capabilities_rec&,
+        const range_sensor_capabilities_rec&) = default;
 
     struct schema : wire::items {
         using T = range_sensor_capabilities_rec;
@@ -290,15 +300,17 @@ struct range_sensor_capabilities_rec {
                 field<&T::minimum_range, scaled<u32le, meter_0_to_1000000>>,
                 field<&T::maximum_range, scaled<u32le, meter_0_to_1000000>>,
                 nested<&T::supported_compression>,
-                field<&T::coordinate_transformation_supported, enumeration<environment_sensing::coordinate_transformation_supported, u8>>>>;
+                field<&T::coordinate_transformation_supported,
+                    enumeration<environment_sensing::coordinate_transformation_supported, u8>>>>;
     };
 };
 
 /// ReportRangeSensorCapabilities: code 4801h, output of RangeSensor.
 struct report_range_sensor_capabilities {
     wire::list<range_sensor_capabilities_rec> range_sensor_capabilities_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const report_range_sensor_capabilities&,
-                                     const report_range_sensor_capabilities&) = default;
+    friend constexpr bool operator==(
+        const report_range_sensor_capabilities&,
+        const report_range_sensor_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4801;
@@ -312,8 +324,9 @@ struct report_range_sensor_capabilities {
 /// ReportRangeSensorConfiguration: code 4802h, output of RangeSensor.
 struct report_range_sensor_configuration {
     wire::list<range_sensor_configuration_rec> range_sensor_configuration_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const report_range_sensor_configuration&,
-                                     const report_range_sensor_configuration&) = default;
+    friend constexpr bool operator==(
+        const report_range_sensor_configuration&,
+        const report_range_sensor_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4802;
@@ -462,8 +475,9 @@ struct range_sensor_compressed_data_rec {
     environment_sensing::time_stamp time_stamp{};
     environment_sensing::data_compression data_compression{};
     wire::blob compressed_data{}; ///< RangeSensorDataPointList, up to 2147483647 octets
-    friend constexpr bool operator==(const range_sensor_compressed_data_rec&,
-                                     const range_sensor_compressed_data_rec&) = default;
+    friend constexpr bool operator==(
+        const range_sensor_compressed_data_rec&,
+        const range_sensor_compressed_data_rec&) = default;
 
     struct schema : wire::items {
         using T = range_sensor_compressed_data_rec;
@@ -480,8 +494,9 @@ struct range_sensor_compressed_data_rec {
 struct range_sensor_compressed_data_variant {
     std::uint8_t tag{};
     std::variant<range_sensor_data_error_rec, range_sensor_compressed_data_rec> value{};
-    friend constexpr bool operator==(const range_sensor_compressed_data_variant&,
-                                     const range_sensor_compressed_data_variant&) = default;
+    friend constexpr bool operator==(
+        const range_sensor_compressed_data_variant&,
+        const range_sensor_compressed_data_variant&) = default;
 
     struct schema : wire::items {
         using T = range_sensor_compressed_data_variant;
@@ -496,8 +511,9 @@ struct range_sensor_compressed_data_variant {
 /// ReportRangeSensorCompressedData: code 4804h, output of RangeSensor.
 struct report_range_sensor_compressed_data {
     wire::list<range_sensor_compressed_data_variant> range_sensor_compressed_data_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const report_range_sensor_compressed_data&,
-                                     const report_range_sensor_compressed_data&) = default;
+    friend constexpr bool operator==(
+        const report_range_sensor_compressed_data&,
+        const report_range_sensor_compressed_data&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4804;

@@ -137,8 +137,9 @@ struct digital_video_sensor_error_rec {
     std::uint16_t sensor_id{};        ///< 1 to 65535
     environment_sensing::digital_video_error_code digital_video_error_code{};
     std::string_view error_message{}; ///< up to 255 characters
-    friend constexpr bool operator==(const digital_video_sensor_error_rec&,
-                                     const digital_video_sensor_error_rec&) = default;
+    friend constexpr bool operator==(
+        const digital_video_sensor_error_rec&,
+        const digital_video_sensor_error_rec&) = default;
 
     struct schema : wire::items {
         using T = digital_video_sensor_error_rec;
@@ -161,8 +162,9 @@ struct analog_video_sensor_error_rec {
     std::uint16_t sensor_id{};        ///< 1 to 65535
     environment_sensing::analog_video_error_code analog_video_error_code{};
     std::string_view error_message{}; ///< up to 255 characters
-    friend constexpr bool operator==(const analog_video_sensor_error_rec&,
-                                     const analog_video_sensor_error_rec&) = default;
+    friend constexpr bool operator==(
+        const analog_video_sensor_error_rec&,
+        const analog_video_sensor_error_rec&) = default;
 
     struct schema : wire::items {
         using T = analog_video_sensor_error_rec;
@@ -187,8 +189,9 @@ struct still_image_sensor_error_rec {
     std::uint16_t sensor_id{};        ///< 1 to 65535
     environment_sensing::still_image_error_code still_image_error_code{};
     std::string_view error_message{}; ///< up to 255 characters
-    friend constexpr bool operator==(const still_image_sensor_error_rec&,
-                                     const still_image_sensor_error_rec&) = default;
+    friend constexpr bool operator==(
+        const still_image_sensor_error_rec&,
+        const still_image_sensor_error_rec&) = default;
 
     struct schema : wire::items {
         using T = still_image_sensor_error_rec;
@@ -216,14 +219,16 @@ struct h264_video_encoding_error_rec {
     std::uint16_t sensor_id{};        ///< 1 to 65535
     environment_sensing::h264_video_encoding_error_code h264_video_encoding_error_code{};
     std::string_view error_message{}; ///< up to 255 characters
-    friend constexpr bool operator==(const h264_video_encoding_error_rec&,
-                                     const h264_video_encoding_error_rec&) = default;
+    friend constexpr bool operator==(
+        const h264_video_encoding_error_rec&,
+        const h264_video_encoding_error_rec&) = default;
 
     struct schema : wire::items {
         using T = h264_video_encoding_error_rec;
         using type = layout<
             field<&T::sensor_id, u16le>,
-            field<&T::h264_video_encoding_error_code, enumeration<environment_sensing::h264_video_encoding_error_code, u8>>,
+            field<&T::h264_video_encoding_error_code,
+                enumeration<environment_sensing::h264_video_encoding_error_code, u8>>,
             string<&T::error_message, count<"error_message_size", u8>>>;
     };
 };
@@ -244,14 +249,16 @@ struct digital_audio_sensor_error_rec {
     std::uint16_t sensor_id{};        ///< 1 to 65535
     environment_sensing::digital_audio_sensor_error_code digital_audio_sensor_error_code{};
     std::string_view error_message{}; ///< up to 255 characters
-    friend constexpr bool operator==(const digital_audio_sensor_error_rec&,
-                                     const digital_audio_sensor_error_rec&) = default;
+    friend constexpr bool operator==(
+        const digital_audio_sensor_error_rec&,
+        const digital_audio_sensor_error_rec&) = default;
 
     struct schema : wire::items {
         using T = digital_audio_sensor_error_rec;
         using type = layout<
             field<&T::sensor_id, u16le>,
-            field<&T::digital_audio_sensor_error_code, enumeration<environment_sensing::digital_audio_sensor_error_code, u8>>,
+            field<&T::digital_audio_sensor_error_code,
+                enumeration<environment_sensing::digital_audio_sensor_error_code, u8>>,
             string<&T::error_message, count<"error_message_size", u8>>>;
     };
 };
@@ -269,14 +276,16 @@ struct digital_audio_output_error_rec {
     std::uint16_t sensor_id{};        ///< 1 to 65535
     environment_sensing::digital_audio_output_error_code digital_audio_output_error_code{};
     std::string_view error_message{}; ///< up to 255 characters
-    friend constexpr bool operator==(const digital_audio_output_error_rec&,
-                                     const digital_audio_output_error_rec&) = default;
+    friend constexpr bool operator==(
+        const digital_audio_output_error_rec&,
+        const digital_audio_output_error_rec&) = default;
 
     struct schema : wire::items {
         using T = digital_audio_output_error_rec;
         using type = layout<
             field<&T::sensor_id, u16le>,
-            field<&T::digital_audio_output_error_code, enumeration<environment_sensing::digital_audio_output_error_code, u8>>,
+            field<&T::digital_audio_output_error_code,
+                enumeration<environment_sensing::digital_audio_output_error_code, u8>>,
             string<&T::error_message, count<"error_message_size", u8>>>;
     };
 };
@@ -301,7 +310,8 @@ struct video_illuminator_error_rec {
         using T = video_illuminator_error_rec;
         using type = layout<
             field<&T::illuminator_id, u16le>,
-            field<&T::video_illuminator_error_rec_code, enumeration<environment_sensing::video_illuminator_error_rec_code, u8>>,
+            field<&T::video_illuminator_error_rec_code,
+                enumeration<environment_sensing::video_illuminator_error_rec_code, u8>>,
             string<&T::error_message, count<"error_message_size", u8>>>;
     };
 };
@@ -309,9 +319,20 @@ struct video_illuminator_error_rec {
 /// Variant ConfirmSensorConfigurationVariant: `tag` is the number of the alternative.
 struct confirm_sensor_configuration_variant {
     std::uint8_t tag{};
-    std::variant<shared_sensor_id_rec, range_sensor_error_rec, visual_sensor_error_rec, digital_video_sensor_error_rec, analog_video_sensor_error_rec, still_image_sensor_error_rec, h264_video_encoding_error_rec, digital_audio_sensor_error_rec, digital_audio_output_error_rec, video_illuminator_error_rec> value{};
-    friend constexpr bool operator==(const confirm_sensor_configuration_variant&,
-                                     const confirm_sensor_configuration_variant&) = default;
+    std::variant<
+        shared_sensor_id_rec,
+        range_sensor_error_rec,
+        visual_sensor_error_rec,
+        digital_video_sensor_error_rec,
+        analog_video_sensor_error_rec,
+        still_image_sensor_error_rec,
+        h264_video_encoding_error_rec,
+        digital_audio_sensor_error_rec,
+        digital_audio_output_error_rec,
+        video_illuminator_error_rec> value{};
+    friend constexpr bool operator==(
+        const confirm_sensor_configuration_variant&,
+        const confirm_sensor_configuration_variant&) = default;
 
     struct schema : wire::items {
         using T = confirm_sensor_configuration_variant;
@@ -335,8 +356,9 @@ struct confirm_sensor_configuration_variant {
 struct confirm_sensor_configuration {
     shared_request_id_rec request_id_rec{};
     wire::list<confirm_sensor_configuration_variant> confirm_sensor_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const confirm_sensor_configuration&,
-                                     const confirm_sensor_configuration&) = default;
+    friend constexpr bool operator==(
+        const confirm_sensor_configuration&,
+        const confirm_sensor_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0801;
@@ -635,8 +657,9 @@ enum class sensor_state : std::uint8_t {
 /// QuerySensorGeometricProperties: code 2805h, input of RangeSensor, VisualSensor.
 struct query_sensor_geometric_properties {
     wire::list<sensor_id_query_rec> sensor_id_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const query_sensor_geometric_properties&,
-                                     const query_sensor_geometric_properties&) = default;
+    friend constexpr bool operator==(
+        const query_sensor_geometric_properties&,
+        const query_sensor_geometric_properties&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2805;
@@ -712,8 +735,9 @@ struct time_stamp {
 /// Variant NoGeometricPropertiesVariant: the tag alone.
 struct no_geometric_properties_variant {
     std::uint8_t tag{}; ///< 0
-    friend constexpr bool operator==(const no_geometric_properties_variant&,
-                                     const no_geometric_properties_variant&) = default;
+    friend constexpr bool operator==(
+        const no_geometric_properties_variant&,
+        const no_geometric_properties_variant&) = default;
 
     struct schema : wire::items {
         using T = no_geometric_properties_variant;
@@ -725,8 +749,9 @@ struct no_geometric_properties_variant {
 struct static_geometric_properties_rec {
     std::array<double, 3> sensor_position{}; ///< meter, -30 to 30
     std::array<double, 4> unit_quaternion{}; ///< -1 to 1
-    friend constexpr bool operator==(const static_geometric_properties_rec&,
-                                     const static_geometric_properties_rec&) = default;
+    friend constexpr bool operator==(
+        const static_geometric_properties_rec&,
+        const static_geometric_properties_rec&) = default;
 
     struct schema : wire::items {
         using T = static_geometric_properties_rec;
@@ -744,8 +769,9 @@ struct manipulator_geometric_properties_rec {
     std::uint8_t joint_number{};
     std::array<double, 3> sensor_position{}; ///< meter, -30 to 30
     std::array<double, 4> unit_quaternion{}; ///< -1 to 1
-    friend constexpr bool operator==(const manipulator_geometric_properties_rec&,
-                                     const manipulator_geometric_properties_rec&) = default;
+    friend constexpr bool operator==(
+        const manipulator_geometric_properties_rec&,
+        const manipulator_geometric_properties_rec&) = default;
 
     struct schema : wire::items {
         using T = manipulator_geometric_properties_rec;
@@ -762,9 +788,13 @@ struct manipulator_geometric_properties_rec {
 /// Variant GeometricPropertiesVariant: `tag` is the number of the alternative.
 struct geometric_properties_variant {
     std::uint8_t tag{};
-    std::variant<no_geometric_properties_variant, static_geometric_properties_rec, manipulator_geometric_properties_rec> value{};
-    friend constexpr bool operator==(const geometric_properties_variant&,
-                                     const geometric_properties_variant&) = default;
+    std::variant<
+        no_geometric_properties_variant,
+        static_geometric_properties_rec,
+        manipulator_geometric_properties_rec> value{};
+    friend constexpr bool operator==(
+        const geometric_properties_variant&,
+        const geometric_properties_variant&) = default;
 
     struct schema : wire::items {
         using T = geometric_properties_variant;
@@ -781,8 +811,9 @@ struct geometric_properties_variant {
 struct geometric_properties_sequence {
     shared_sensor_id_rec sensor_id_rec{};
     environment_sensing::geometric_properties_variant geometric_properties_variant{};
-    friend constexpr bool operator==(const geometric_properties_sequence&,
-                                     const geometric_properties_sequence&) = default;
+    friend constexpr bool operator==(
+        const geometric_properties_sequence&,
+        const geometric_properties_sequence&) = default;
 
     struct schema : wire::items {
         using T = geometric_properties_sequence;
@@ -795,8 +826,9 @@ struct geometric_properties_sequence {
 /// ReportSensorGeometricProperties: code 4805h, output of RangeSensor, VisualSensor.
 struct report_sensor_geometric_properties {
     wire::list<geometric_properties_sequence> geometric_properties_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const report_sensor_geometric_properties&,
-                                     const report_sensor_geometric_properties&) = default;
+    friend constexpr bool operator==(
+        const report_sensor_geometric_properties&,
+        const report_sensor_geometric_properties&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4805;

@@ -46,8 +46,9 @@ struct still_image_sensor_configuration_rec {
     std::uint16_t sensor_id{}; ///< 1 to 65535
     std::optional<environment_sensing::frame_size> frame_size{};
     std::optional<environment_sensing::still_image_format> still_image_format{};
-    friend constexpr bool operator==(const still_image_sensor_configuration_rec&,
-                                     const still_image_sensor_configuration_rec&) = default;
+    friend constexpr bool operator==(
+        const still_image_sensor_configuration_rec&,
+        const still_image_sensor_configuration_rec&) = default;
 
     struct schema : wire::items {
         using T = still_image_sensor_configuration_rec;
@@ -63,8 +64,9 @@ struct still_image_sensor_configuration_rec {
 struct set_still_image_sensor_configuration {
     still_image_request_id_rec request_id_rec{};
     wire::list<still_image_sensor_configuration_rec> still_image_sensor_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const set_still_image_sensor_configuration&,
-                                     const set_still_image_sensor_configuration&) = default;
+    friend constexpr bool operator==(
+        const set_still_image_sensor_configuration&,
+        const set_still_image_sensor_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0807;
@@ -110,8 +112,9 @@ struct query_still_image_data_ext {
 struct query_still_image_sensor_configuration_rec {
     environment_sensing::sensor_id sensor_id{}; ///< 1 to 65535
     std::uint8_t query_presence_vector{};
-    friend constexpr bool operator==(const query_still_image_sensor_configuration_rec&,
-                                     const query_still_image_sensor_configuration_rec&) = default;
+    friend constexpr bool operator==(
+        const query_still_image_sensor_configuration_rec&,
+        const query_still_image_sensor_configuration_rec&) = default;
 
     struct schema : wire::items {
         using T = query_still_image_sensor_configuration_rec;
@@ -125,15 +128,17 @@ struct query_still_image_sensor_configuration_rec {
 struct query_still_image_sensor_configuration {
     /// up to 65535 elements
     wire::list<query_still_image_sensor_configuration_rec> query_still_image_sensor_configuration_list{};
-    friend constexpr bool operator==(const query_still_image_sensor_configuration&,
-                                     const query_still_image_sensor_configuration&) = default;
+    friend constexpr bool operator==(
+        const query_still_image_sensor_configuration&,
+        const query_still_image_sensor_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2813;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_still_image_sensor_configuration;
         using type = layout<
-            repeated<&T::query_still_image_sensor_configuration_list, count<"query_still_image_sensor_configuration_list_count", u16le>>>;
+            repeated<&T::query_still_image_sensor_configuration_list,
+                count<"query_still_image_sensor_configuration_list_count", u16le>>>;
     };
 };
 
@@ -141,8 +146,9 @@ struct query_still_image_sensor_configuration {
 struct query_still_image_sensor_capabilities_rec {
     environment_sensing::sensor_id sensor_id{}; ///< 1 to 65535
     std::uint8_t query_presence_vector{};
-    friend constexpr bool operator==(const query_still_image_sensor_capabilities_rec&,
-                                     const query_still_image_sensor_capabilities_rec&) = default;
+    friend constexpr bool operator==(
+        const query_still_image_sensor_capabilities_rec&,
+        const query_still_image_sensor_capabilities_rec&) = default;
 
     struct schema : wire::items {
         using T = query_still_image_sensor_capabilities_rec;
@@ -156,15 +162,17 @@ struct query_still_image_sensor_capabilities_rec {
 struct query_still_image_sensor_capabilities {
     /// up to 65535 elements
     wire::list<query_still_image_sensor_capabilities_rec> query_still_image_sensor_capabilities_list{};
-    friend constexpr bool operator==(const query_still_image_sensor_capabilities&,
-                                     const query_still_image_sensor_capabilities&) = default;
+    friend constexpr bool operator==(
+        const query_still_image_sensor_capabilities&,
+        const query_still_image_sensor_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2812;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_still_image_sensor_capabilities;
         using type = layout<
-            repeated<&T::query_still_image_sensor_capabilities_list, count<"query_still_image_sensor_capabilities_list_count", u16le>>>;
+            repeated<&T::query_still_image_sensor_capabilities_list,
+                count<"query_still_image_sensor_capabilities_list_count", u16le>>>;
     };
 };
 
@@ -234,15 +242,17 @@ struct report_still_image_data_ext {
 /// ReportStillImageSensorConfiguration: code 4813h, output of StillImage.
 struct report_still_image_sensor_configuration {
     wire::list<still_image_sensor_configuration_rec> still_image_sensor_configuration_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const report_still_image_sensor_configuration&,
-                                     const report_still_image_sensor_configuration&) = default;
+    friend constexpr bool operator==(
+        const report_still_image_sensor_configuration&,
+        const report_still_image_sensor_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4813;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_still_image_sensor_configuration;
         using type = layout<
-            repeated<&T::still_image_sensor_configuration_list, count<"still_image_sensor_configuration_list_count", u16le>>>;
+            repeated<&T::still_image_sensor_configuration_list,
+                count<"still_image_sensor_configuration_list_count", u16le>>>;
     };
 };
 
@@ -351,8 +361,9 @@ struct still_image_sensor_capabilities_rec {
     std::uint16_t sensor_id{}; ///< 1 to 65535
     std::optional<environment_sensing::supported_frame_sizes> supported_frame_sizes{};
     std::optional<environment_sensing::supported_image_formats> supported_image_formats{};
-    friend constexpr bool operator==(const still_image_sensor_capabilities_rec&,
-                                     const still_image_sensor_capabilities_rec&) = default;
+    friend constexpr bool operator==(
+        const still_image_sensor_capabilities_rec&,
+        const still_image_sensor_capabilities_rec&) = default;
 
     struct schema : wire::items {
         using T = still_image_sensor_capabilities_rec;
@@ -367,8 +378,9 @@ struct still_image_sensor_capabilities_rec {
 /// ReportStillImageSensorCapabilities: code 4812h, output of StillImage.
 struct report_still_image_sensor_capabilities {
     wire::list<still_image_sensor_capabilities_rec> still_image_sensor_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const report_still_image_sensor_capabilities&,
-                                     const report_still_image_sensor_capabilities&) = default;
+    friend constexpr bool operator==(
+        const report_still_image_sensor_capabilities&,
+        const report_still_image_sensor_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4812;

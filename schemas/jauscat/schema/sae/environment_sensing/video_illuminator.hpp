@@ -18,8 +18,9 @@ namespace jauscat::sae::environment_sensing {
 /// Record RequestIdRec.
 struct video_illuminator_request_id_rec {
     std::uint8_t request_id{};
-    friend constexpr bool operator==(const video_illuminator_request_id_rec&,
-                                     const video_illuminator_request_id_rec&) = default;
+    friend constexpr bool operator==(
+        const video_illuminator_request_id_rec&,
+        const video_illuminator_request_id_rec&) = default;
 
     struct schema : wire::items {
         using T = video_illuminator_request_id_rec;
@@ -60,8 +61,9 @@ struct illuminator_rec {
 struct set_video_illuminator_configuration {
     video_illuminator_request_id_rec request_id_rec{};
     wire::list<illuminator_rec> illuminator_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const set_video_illuminator_configuration&,
-                                     const set_video_illuminator_configuration&) = default;
+    friend constexpr bool operator==(
+        const set_video_illuminator_configuration&,
+        const set_video_illuminator_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x081A;
@@ -87,8 +89,9 @@ struct illuminator_id_rec {
 /// QueryVideoIlluminatorConfiguration: code 281Ah, input of VideoIlluminator.
 struct query_video_illuminator_configuration {
     wire::list<illuminator_id_rec> illuminator_id_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const query_video_illuminator_configuration&,
-                                     const query_video_illuminator_configuration&) = default;
+    friend constexpr bool operator==(
+        const query_video_illuminator_configuration&,
+        const query_video_illuminator_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x281A;
@@ -101,8 +104,9 @@ struct query_video_illuminator_configuration {
 /// QueryVideoIlluminatorCapabilities: code 281Bh, input of VideoIlluminator.
 struct query_video_illuminator_capabilities {
     wire::list<illuminator_id_rec> illuminator_id_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const query_video_illuminator_capabilities&,
-                                     const query_video_illuminator_capabilities&) = default;
+    friend constexpr bool operator==(
+        const query_video_illuminator_capabilities&,
+        const query_video_illuminator_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x281B;
@@ -115,8 +119,9 @@ struct query_video_illuminator_capabilities {
 /// ReportVideoIlluminatorConfiguration: code 481Ah, output of VideoIlluminator.
 struct report_video_illuminator_configuration {
     wire::list<illuminator_rec> illumination_rec_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const report_video_illuminator_configuration&,
-                                     const report_video_illuminator_configuration&) = default;
+    friend constexpr bool operator==(
+        const report_video_illuminator_configuration&,
+        const report_video_illuminator_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x481A;
@@ -158,8 +163,9 @@ struct supported_illumination_modes {
     environment_sensing::low_light low_light{};
     std::uint32_t reserved_for_future_use{};                             ///< 0 to 1
     std::uint16_t reserved_for_program_or_implementation_specific_use{}; ///< 0 to 1
-    friend constexpr bool operator==(const supported_illumination_modes&,
-                                     const supported_illumination_modes&) = default;
+    friend constexpr bool operator==(
+        const supported_illumination_modes&,
+        const supported_illumination_modes&) = default;
 
     struct schema : wire::items {
         using T = supported_illumination_modes;
@@ -185,8 +191,9 @@ struct illuminator_capabilities_rec {
     std::optional<double> maximum_supported_beam_width{};  ///< degree, 0 to 360
     std::optional<double> minimum_supported_beam_height{}; ///< degree, 0 to 360
     std::optional<double> maximum_supported_beam_height{}; ///< degree, 0 to 360
-    friend constexpr bool operator==(const illuminator_capabilities_rec&,
-                                     const illuminator_capabilities_rec&) = default;
+    friend constexpr bool operator==(
+        const illuminator_capabilities_rec&,
+        const illuminator_capabilities_rec&) = default;
 
     struct schema : wire::items {
         using T = illuminator_capabilities_rec;
@@ -207,8 +214,9 @@ struct illuminator_capabilities_rec {
 /// Record SensorIDRec.
 struct video_illuminator_sensor_id_rec {
     std::uint16_t sensor_id{};
-    friend constexpr bool operator==(const video_illuminator_sensor_id_rec&,
-                                     const video_illuminator_sensor_id_rec&) = default;
+    friend constexpr bool operator==(
+        const video_illuminator_sensor_id_rec&,
+        const video_illuminator_sensor_id_rec&) = default;
 
     struct schema : wire::items {
         using T = video_illuminator_sensor_id_rec;
@@ -220,8 +228,9 @@ struct video_illuminator_sensor_id_rec {
 struct illuminator_capabilities_seq {
     environment_sensing::illuminator_capabilities_rec illuminator_capabilities_rec{};
     wire::list<video_illuminator_sensor_id_rec> sensor_id_list{}; ///< up to 255 elements
-    friend constexpr bool operator==(const illuminator_capabilities_seq&,
-                                     const illuminator_capabilities_seq&) = default;
+    friend constexpr bool operator==(
+        const illuminator_capabilities_seq&,
+        const illuminator_capabilities_seq&) = default;
 
     struct schema : wire::items {
         using T = illuminator_capabilities_seq;
@@ -234,8 +243,9 @@ struct illuminator_capabilities_seq {
 /// ReportVideoIlluminatorCapabilities: code 481Bh, output of VideoIlluminator.
 struct report_video_illuminator_capabilities {
     wire::list<illuminator_capabilities_seq> illuminator_capabilities_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const report_video_illuminator_capabilities&,
-                                     const report_video_illuminator_capabilities&) = default;
+    friend constexpr bool operator==(
+        const report_video_illuminator_capabilities&,
+        const report_video_illuminator_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x481B;

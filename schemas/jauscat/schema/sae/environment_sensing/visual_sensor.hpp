@@ -19,8 +19,9 @@ namespace jauscat::sae::environment_sensing {
 struct query_visual_sensor_configuration_rec {
     environment_sensing::sensor_id sensor_id{}; ///< 1 to 65535
     std::uint16_t query_presence_vector{};
-    friend constexpr bool operator==(const query_visual_sensor_configuration_rec&,
-                                     const query_visual_sensor_configuration_rec&) = default;
+    friend constexpr bool operator==(
+        const query_visual_sensor_configuration_rec&,
+        const query_visual_sensor_configuration_rec&) = default;
 
     struct schema : wire::items {
         using T = query_visual_sensor_configuration_rec;
@@ -34,15 +35,17 @@ struct query_visual_sensor_configuration_rec {
 struct query_visual_sensor_configuration {
     /// up to 65535 elements
     wire::list<query_visual_sensor_configuration_rec> query_visual_sensor_configuration_list{};
-    friend constexpr bool operator==(const query_visual_sensor_configuration&,
-                                     const query_visual_sensor_configuration&) = default;
+    friend constexpr bool operator==(
+        const query_visual_sensor_configuration&,
+        const query_visual_sensor_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2807;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_visual_sensor_configuration;
         using type = layout<
-            repeated<&T::query_visual_sensor_configuration_list, count<"query_visual_sensor_configuration_list_count", u16le>>>;
+            repeated<&T::query_visual_sensor_configuration_list,
+                count<"query_visual_sensor_configuration_list_count", u16le>>>;
     };
 };
 
@@ -50,8 +53,9 @@ struct query_visual_sensor_configuration {
 struct query_visual_sensor_capabilities_query_visual_sensor_capabilities_rec {
     environment_sensing::sensor_id sensor_id{}; ///< 1 to 65535
     std::uint16_t query_presence_vector{};
-    friend constexpr bool operator==(const query_visual_sensor_capabilities_query_visual_sensor_capabilities_rec&,
-                                     const query_visual_sensor_capabilities_query_visual_sensor_capabilities_rec&) = default;
+    friend constexpr bool operator==(
+        const query_visual_sensor_capabilities_query_visual_sensor_capabilities_rec&,
+        const query_visual_sensor_capabilities_query_visual_sensor_capabilities_rec&) = default;
 
     struct schema : wire::items {
         using T = query_visual_sensor_capabilities_query_visual_sensor_capabilities_rec;
@@ -64,16 +68,19 @@ struct query_visual_sensor_capabilities_query_visual_sensor_capabilities_rec {
 /// QueryVisualSensorCapabilities: code 2806h, deprecated, input of VisualSensor.
 struct query_visual_sensor_capabilities {
     /// up to 65535 elements
-    wire::list<query_visual_sensor_capabilities_query_visual_sensor_capabilities_rec> query_visual_sensor_capabilities_list{};
-    friend constexpr bool operator==(const query_visual_sensor_capabilities&,
-                                     const query_visual_sensor_capabilities&) = default;
+    wire::list<
+        query_visual_sensor_capabilities_query_visual_sensor_capabilities_rec> query_visual_sensor_capabilities_list{};
+    friend constexpr bool operator==(
+        const query_visual_sensor_capabilities&,
+        const query_visual_sensor_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2806;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = query_visual_sensor_capabilities;
         using type = layout<
-            repeated<&T::query_visual_sensor_capabilities_list, count<"query_visual_sensor_capabilities_list_count", u16le>>>;
+            repeated<&T::query_visual_sensor_capabilities_list,
+                count<"query_visual_sensor_capabilities_list_count", u16le>>>;
     };
 };
 
@@ -81,8 +88,9 @@ struct query_visual_sensor_capabilities {
 struct query_visual_sensor_capabilities_ext_query_visual_sensor_capabilities_rec {
     environment_sensing::sensor_id sensor_id{}; ///< 1 to 65535
     std::uint32_t query_presence_vector{};
-    friend constexpr bool operator==(const query_visual_sensor_capabilities_ext_query_visual_sensor_capabilities_rec&,
-                                     const query_visual_sensor_capabilities_ext_query_visual_sensor_capabilities_rec&) = default;
+    friend constexpr bool operator==(
+        const query_visual_sensor_capabilities_ext_query_visual_sensor_capabilities_rec&,
+        const query_visual_sensor_capabilities_ext_query_visual_sensor_capabilities_rec&) = default;
 
     struct schema : wire::items {
         using T = query_visual_sensor_capabilities_ext_query_visual_sensor_capabilities_rec;
@@ -95,24 +103,28 @@ struct query_visual_sensor_capabilities_ext_query_visual_sensor_capabilities_rec
 /// QueryVisualSensorCapabilitiesExt: code 280Ah, input of VisualSensor.
 struct query_visual_sensor_capabilities_ext {
     /// up to 65535 elements
-    wire::list<query_visual_sensor_capabilities_ext_query_visual_sensor_capabilities_rec> query_visual_sensor_capabilities_list{};
-    friend constexpr bool operator==(const query_visual_sensor_capabilities_ext&,
-                                     const query_visual_sensor_capabilities_ext&) = default;
+    wire::list<
+        query_visual_sensor_capabilities_ext_query_visual_sensor_capabilities_rec> query_visual_sensor_capabilities_list{};
+    friend constexpr bool operator==(
+        const query_visual_sensor_capabilities_ext&,
+        const query_visual_sensor_capabilities_ext&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x280A;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_visual_sensor_capabilities_ext;
         using type = layout<
-            repeated<&T::query_visual_sensor_capabilities_list, count<"query_visual_sensor_capabilities_list_count", u16le>>>;
+            repeated<&T::query_visual_sensor_capabilities_list,
+                count<"query_visual_sensor_capabilities_list_count", u16le>>>;
     };
 };
 
 /// Record RequestIdRec.
 struct visual_sensor_request_id_rec {
     std::uint8_t request_id{};
-    friend constexpr bool operator==(const visual_sensor_request_id_rec&,
-                                     const visual_sensor_request_id_rec&) = default;
+    friend constexpr bool operator==(
+        const visual_sensor_request_id_rec&,
+        const visual_sensor_request_id_rec&) = default;
 
     struct schema : wire::items {
         using T = visual_sensor_request_id_rec;
@@ -207,8 +219,9 @@ struct visual_sensor_configuration_rec {
     std::optional<double> aperture{};                                ///< 0.1 to 128
     std::optional<environment_sensing::light_sensitivity> light_sensitivity{};
     std::optional<set_visual_sensor_configuration_image_stabilization> image_stabilization{};
-    friend constexpr bool operator==(const visual_sensor_configuration_rec&,
-                                     const visual_sensor_configuration_rec&) = default;
+    friend constexpr bool operator==(
+        const visual_sensor_configuration_rec&,
+        const visual_sensor_configuration_rec&) = default;
 
     struct schema : wire::items {
         using T = visual_sensor_configuration_rec;
@@ -238,8 +251,9 @@ struct visual_sensor_configuration_rec {
 struct set_visual_sensor_configuration {
     visual_sensor_request_id_rec request_id_rec{};
     wire::list<visual_sensor_configuration_rec> visual_sensor_configuration_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const set_visual_sensor_configuration&,
-                                     const set_visual_sensor_configuration&) = default;
+    friend constexpr bool operator==(
+        const set_visual_sensor_configuration&,
+        const set_visual_sensor_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0803;
@@ -254,8 +268,9 @@ struct set_visual_sensor_configuration {
 /// ReportVisualSensorConfiguration: code 4807h, output of VisualSensor.
 struct report_visual_sensor_configuration {
     wire::list<visual_sensor_configuration_rec> visual_sensor_configuration_list{}; ///< up to 65535 elements
-    friend constexpr bool operator==(const report_visual_sensor_configuration&,
-                                     const report_visual_sensor_configuration&) = default;
+    friend constexpr bool operator==(
+        const report_visual_sensor_configuration&,
+        const report_visual_sensor_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4807;
@@ -389,8 +404,9 @@ struct report_visual_sensor_capabilities_white_balance {
     environment_sensing::tungsten tungsten{};
     environment_sensing::flurescent flurescent{};
     environment_sensing::flash flash{};
-    friend constexpr bool operator==(const report_visual_sensor_capabilities_white_balance&,
-                                     const report_visual_sensor_capabilities_white_balance&) = default;
+    friend constexpr bool operator==(
+        const report_visual_sensor_capabilities_white_balance&,
+        const report_visual_sensor_capabilities_white_balance&) = default;
 
     struct schema : wire::items {
         using T = report_visual_sensor_capabilities_white_balance;
@@ -464,8 +480,9 @@ struct report_visual_sensor_capabilities_imaging_modes {
     environment_sensing::thermal_black_hot thermal_black_hot{};
     environment_sensing::thermal_rainbow thermal_rainbow{};
     report_visual_sensor_capabilities_reserved_for_future_use reserved_for_future_use{};
-    friend constexpr bool operator==(const report_visual_sensor_capabilities_imaging_modes&,
-                                     const report_visual_sensor_capabilities_imaging_modes&) = default;
+    friend constexpr bool operator==(
+        const report_visual_sensor_capabilities_imaging_modes&,
+        const report_visual_sensor_capabilities_imaging_modes&) = default;
 
     struct schema : wire::items {
         using T = report_visual_sensor_capabilities_imaging_modes;
@@ -643,8 +660,9 @@ struct report_visual_sensor_capabilities_visual_sensor_capabilities_rec {
     std::optional<double> maximum_focal_length{};  ///< meter, 0 to 2
     std::optional<environment_sensing::light_sensitivity_levels> light_sensitivity_levels{};
     std::optional<report_visual_sensor_capabilities_image_stabilization> image_stabilization{};
-    friend constexpr bool operator==(const report_visual_sensor_capabilities_visual_sensor_capabilities_rec&,
-                                     const report_visual_sensor_capabilities_visual_sensor_capabilities_rec&) = default;
+    friend constexpr bool operator==(
+        const report_visual_sensor_capabilities_visual_sensor_capabilities_rec&,
+        const report_visual_sensor_capabilities_visual_sensor_capabilities_rec&) = default;
 
     struct schema : wire::items {
         using T = report_visual_sensor_capabilities_visual_sensor_capabilities_rec;
@@ -666,7 +684,8 @@ struct report_visual_sensor_capabilities_visual_sensor_capabilities_rec {
                 field<&T::minimum_focal_length, scaled<u32le, meter_0_to_2>>,
                 field<&T::maximum_focal_length, scaled<u32le, meter_0_to_2>>,
                 nested<&T::light_sensitivity_levels>,
-                field<&T::image_stabilization, enumeration<report_visual_sensor_capabilities_image_stabilization, u8>>>>;
+                field<&T::image_stabilization,
+                    enumeration<report_visual_sensor_capabilities_image_stabilization, u8>>>>;
     };
 };
 
@@ -674,8 +693,9 @@ struct report_visual_sensor_capabilities_visual_sensor_capabilities_rec {
 struct report_visual_sensor_capabilities {
     /// up to 65535 elements
     wire::list<report_visual_sensor_capabilities_visual_sensor_capabilities_rec> visual_sensor_capabilities_list{};
-    friend constexpr bool operator==(const report_visual_sensor_capabilities&,
-                                     const report_visual_sensor_capabilities&) = default;
+    friend constexpr bool operator==(
+        const report_visual_sensor_capabilities&,
+        const report_visual_sensor_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4806;
@@ -695,8 +715,9 @@ struct report_visual_sensor_capabilities_ext_white_balance {
     environment_sensing::tungsten tungsten{};
     environment_sensing::flurescent flurescent{};
     environment_sensing::flash flash{};
-    friend constexpr bool operator==(const report_visual_sensor_capabilities_ext_white_balance&,
-                                     const report_visual_sensor_capabilities_ext_white_balance&) = default;
+    friend constexpr bool operator==(
+        const report_visual_sensor_capabilities_ext_white_balance&,
+        const report_visual_sensor_capabilities_ext_white_balance&) = default;
 
     struct schema : wire::items {
         using T = report_visual_sensor_capabilities_ext_white_balance;
@@ -734,8 +755,9 @@ struct report_visual_sensor_capabilities_ext_imaging_modes {
     environment_sensing::thermal_rainbow thermal_rainbow{};
     report_visual_sensor_capabilities_ext_reserved_for_future_use reserved_for_future_use{};
     environment_sensing::reserved_for_program_specific_use reserved_for_program_specific_use{};
-    friend constexpr bool operator==(const report_visual_sensor_capabilities_ext_imaging_modes&,
-                                     const report_visual_sensor_capabilities_ext_imaging_modes&) = default;
+    friend constexpr bool operator==(
+        const report_visual_sensor_capabilities_ext_imaging_modes&,
+        const report_visual_sensor_capabilities_ext_imaging_modes&) = default;
 
     struct schema : wire::items {
         using T = report_visual_sensor_capabilities_ext_imaging_modes;
@@ -782,8 +804,9 @@ struct report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec {
     std::optional<double> maximum_horizontal_field_of_view{}; ///< radian, -pi to pi
     std::optional<double> minimum_vertical_field_of_view{};   ///< radian, -pi to pi
     std::optional<double> maximum_vertical_field_of_view{};   ///< radian, -pi to pi
-    friend constexpr bool operator==(const report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec&,
-                                     const report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec&) = default;
+    friend constexpr bool operator==(
+        const report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec&,
+        const report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec&) = default;
 
     struct schema : wire::items {
         using T = report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec;
@@ -805,7 +828,8 @@ struct report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec {
                 field<&T::minimum_focal_length, scaled<u32le, meter_0_to_2>>,
                 field<&T::maximum_focal_length, scaled<u32le, meter_0_to_2>>,
                 nested<&T::light_sensitivity_levels>,
-                field<&T::image_stabilization, enumeration<report_visual_sensor_capabilities_ext_image_stabilization, u8>>,
+                field<&T::image_stabilization,
+                    enumeration<report_visual_sensor_capabilities_ext_image_stabilization, u8>>,
                 field<&T::minimum_horizontal_field_of_view, scaled<u32le, radian_minus_pi_to_pi>>,
                 field<&T::maximum_horizontal_field_of_view, scaled<u32le, radian_minus_pi_to_pi>>,
                 field<&T::minimum_vertical_field_of_view, scaled<u32le, radian_minus_pi_to_pi>>,
@@ -817,8 +841,9 @@ struct report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec {
 struct report_visual_sensor_capabilities_ext {
     /// up to 65535 elements
     wire::list<report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec> visual_sensor_capabilities_list{};
-    friend constexpr bool operator==(const report_visual_sensor_capabilities_ext&,
-                                     const report_visual_sensor_capabilities_ext&) = default;
+    friend constexpr bool operator==(
+        const report_visual_sensor_capabilities_ext&,
+        const report_visual_sensor_capabilities_ext&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x480A;

@@ -17,8 +17,9 @@ namespace jauscat::sae::manipulator {
 
 /// QueryCommandedActuatorForceTorques: code 2613h, input of ManipulatorActuatorForceTorqueDriver.
 struct query_commanded_actuator_force_torques {
-    friend constexpr bool operator==(const query_commanded_actuator_force_torques&,
-                                     const query_commanded_actuator_force_torques&) = default;
+    friend constexpr bool operator==(
+        const query_commanded_actuator_force_torques&,
+        const query_commanded_actuator_force_torques&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2613;
@@ -43,8 +44,9 @@ struct set_actuator_force_torques {
 /// ReportCommandedActuatorForceTorques: code 4613h, output of ManipulatorActuatorForceTorqueDriver.
 struct report_commanded_actuator_force_torques {
     wire::list<actuator_force_torque_rec> actuator_force_torque_list{}; ///< up to 255 elements
-    friend constexpr bool operator==(const report_commanded_actuator_force_torques&,
-                                     const report_commanded_actuator_force_torques&) = default;
+    friend constexpr bool operator==(
+        const report_commanded_actuator_force_torques&,
+        const report_commanded_actuator_force_torques&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4613;

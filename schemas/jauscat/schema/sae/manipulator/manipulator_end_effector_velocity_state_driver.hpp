@@ -23,8 +23,9 @@ struct set_end_effector_velocity_state {
     double linear_velocity_component_x{};  ///< meter per second, -10 to 10
     double linear_velocity_component_y{};  ///< meter per second, -10 to 10
     double linear_velocity_component_z{};  ///< meter per second, -10 to 10
-    friend constexpr bool operator==(const set_end_effector_velocity_state&,
-                                     const set_end_effector_velocity_state&) = default;
+    friend constexpr bool operator==(
+        const set_end_effector_velocity_state&,
+        const set_end_effector_velocity_state&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0612;
@@ -42,8 +43,9 @@ struct set_end_effector_velocity_state {
 
 /// QueryCommandedEndEffectorVelocityState: code 2612h, input of ManipulatorEndEffectorVelocityStateDriver.
 struct query_commanded_end_effector_velocity_state {
-    friend constexpr bool operator==(const query_commanded_end_effector_velocity_state&,
-                                     const query_commanded_end_effector_velocity_state&) = default;
+    friend constexpr bool operator==(
+        const query_commanded_end_effector_velocity_state&,
+        const query_commanded_end_effector_velocity_state&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2612;
@@ -60,8 +62,9 @@ struct report_commanded_end_effector_velocity_state {
     double linear_velocity_component_x{};  ///< meter per second, -10 to 10
     double linear_velocity_component_y{};  ///< meter per second, -10 to 10
     double linear_velocity_component_z{};  ///< meter per second, -10 to 10
-    friend constexpr bool operator==(const report_commanded_end_effector_velocity_state&,
-                                     const report_commanded_end_effector_velocity_state&) = default;
+    friend constexpr bool operator==(
+        const report_commanded_end_effector_velocity_state&,
+        const report_commanded_end_effector_velocity_state&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4612;

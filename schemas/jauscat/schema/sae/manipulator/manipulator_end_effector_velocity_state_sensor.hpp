@@ -17,8 +17,9 @@ namespace jauscat::sae::manipulator {
 
 /// QueryEndEffectorVelocityState: code 2616h, input of ManipulatorEndEffectorVelocityStateSensor.
 struct query_end_effector_velocity_state {
-    friend constexpr bool operator==(const query_end_effector_velocity_state&,
-                                     const query_end_effector_velocity_state&) = default;
+    friend constexpr bool operator==(
+        const query_end_effector_velocity_state&,
+        const query_end_effector_velocity_state&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2616;
@@ -35,8 +36,9 @@ struct report_end_effector_velocity_state {
     double linear_velocity_component_x{};  ///< meter per second, -10 to 10
     double linear_velocity_component_y{};  ///< meter per second, -10 to 10
     double linear_velocity_component_z{};  ///< meter per second, -10 to 10
-    friend constexpr bool operator==(const report_end_effector_velocity_state&,
-                                     const report_end_effector_velocity_state&) = default;
+    friend constexpr bool operator==(
+        const report_end_effector_velocity_state&,
+        const report_end_effector_velocity_state&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4616;

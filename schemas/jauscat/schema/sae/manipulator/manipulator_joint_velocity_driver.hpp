@@ -30,8 +30,9 @@ struct set_joint_velocity {
 
 /// QueryCommandedJointVelocity: code 2611h, input of ManipulatorJointVelocityDriver.
 struct query_commanded_joint_velocity {
-    friend constexpr bool operator==(const query_commanded_joint_velocity&,
-                                     const query_commanded_joint_velocity&) = default;
+    friend constexpr bool operator==(
+        const query_commanded_joint_velocity&,
+        const query_commanded_joint_velocity&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2611;
@@ -43,8 +44,9 @@ struct query_commanded_joint_velocity {
 /// ReportCommandedJointVelocity: code 4611h, output of ManipulatorJointVelocityDriver.
 struct report_commanded_joint_velocity {
     wire::list<joint_velocity_rec> joint_velocity_list{}; ///< up to 255 elements
-    friend constexpr bool operator==(const report_commanded_joint_velocity&,
-                                     const report_commanded_joint_velocity&) = default;
+    friend constexpr bool operator==(
+        const report_commanded_joint_velocity&,
+        const report_commanded_joint_velocity&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4611;

@@ -18,8 +18,9 @@ namespace jauscat::sae::manipulator {
 /// QueryManipulatorSpecifications: code 2600h, input of ManipulatorSpecificationService.
 struct query_manipulator_specifications {
     std::uint8_t presence_vector{};
-    friend constexpr bool operator==(const query_manipulator_specifications&,
-                                     const query_manipulator_specifications&) = default;
+    friend constexpr bool operator==(
+        const query_manipulator_specifications&,
+        const query_manipulator_specifications&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2600;
@@ -38,8 +39,9 @@ struct manipulator_coordinate_system_rec {
     double a_component_of_unit_quaternion_q{}; ///< -1 to 1
     double b_component_of_unit_quaternion_q{}; ///< -1 to 1
     double c_component_of_unit_quaternion_q{}; ///< -1 to 1
-    friend constexpr bool operator==(const manipulator_coordinate_system_rec&,
-                                     const manipulator_coordinate_system_rec&) = default;
+    friend constexpr bool operator==(
+        const manipulator_coordinate_system_rec&,
+        const manipulator_coordinate_system_rec&) = default;
 
     struct schema : wire::items {
         using T = manipulator_coordinate_system_rec;
@@ -127,8 +129,9 @@ struct revolute_joint_specification_rec {
     std::optional<double> max_torque{};                           ///< newton meter, 0 to 5000
     std::optional<double> offset_bounding_cylinder_radius{};      ///< meter, 0 to 10
     std::optional<double> link_length_bounding_cylinder_radius{}; ///< meter, 0 to 10
-    friend constexpr bool operator==(const revolute_joint_specification_rec&,
-                                     const revolute_joint_specification_rec&) = default;
+    friend constexpr bool operator==(
+        const revolute_joint_specification_rec&,
+        const revolute_joint_specification_rec&) = default;
 
     struct schema : wire::items {
         using T = revolute_joint_specification_rec;
@@ -157,8 +160,9 @@ struct prismatic_joint_specification_rec {
     std::optional<double> max_force{};                            ///< newton, 0 to 5000
     std::optional<double> joint_bounding_cylinder_radius{};       ///< meter, 0 to 10
     std::optional<double> link_length_bounding_cylinder_radius{}; ///< meter, 0 to 10
-    friend constexpr bool operator==(const prismatic_joint_specification_rec&,
-                                     const prismatic_joint_specification_rec&) = default;
+    friend constexpr bool operator==(
+        const prismatic_joint_specification_rec&,
+        const prismatic_joint_specification_rec&) = default;
 
     struct schema : wire::items {
         using T = prismatic_joint_specification_rec;
@@ -209,8 +213,9 @@ struct report_manipulator_specifications {
     manipulator::first_joint_parameters first_joint_parameters{};
     wire::list<joint_specifications> joint_specification_list{};  ///< up to 255 elements
     std::optional<wire::list<joint_name_rec>> joint_names_list{}; ///< up to 255 elements
-    friend constexpr bool operator==(const report_manipulator_specifications&,
-                                     const report_manipulator_specifications&) = default;
+    friend constexpr bool operator==(
+        const report_manipulator_specifications&,
+        const report_manipulator_specifications&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4600;

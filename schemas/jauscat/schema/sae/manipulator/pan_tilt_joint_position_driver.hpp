@@ -17,8 +17,9 @@ namespace jauscat::sae::manipulator {
 
 /// QueryCommandedPanTiltJointPositions: code 2628h, input of PanTiltJointPositionDriver.
 struct query_commanded_pan_tilt_joint_positions {
-    friend constexpr bool operator==(const query_commanded_pan_tilt_joint_positions&,
-                                     const query_commanded_pan_tilt_joint_positions&) = default;
+    friend constexpr bool operator==(
+        const query_commanded_pan_tilt_joint_positions&,
+        const query_commanded_pan_tilt_joint_positions&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2628;
@@ -31,8 +32,9 @@ struct query_commanded_pan_tilt_joint_positions {
 struct set_pan_tilt_joint_positions {
     double joint1_position{}; ///< radian, -8 pi to 8 pi
     double joint2_position{}; ///< radian, -8 pi to 8 pi
-    friend constexpr bool operator==(const set_pan_tilt_joint_positions&,
-                                     const set_pan_tilt_joint_positions&) = default;
+    friend constexpr bool operator==(
+        const set_pan_tilt_joint_positions&,
+        const set_pan_tilt_joint_positions&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0622;
@@ -48,8 +50,9 @@ struct set_pan_tilt_joint_positions {
 struct report_commanded_pan_tilt_joint_positions {
     double joint1_position{}; ///< radian, -8 pi to 8 pi
     double joint2_position{}; ///< radian, -8 pi to 8 pi
-    friend constexpr bool operator==(const report_commanded_pan_tilt_joint_positions&,
-                                     const report_commanded_pan_tilt_joint_positions&) = default;
+    friend constexpr bool operator==(
+        const report_commanded_pan_tilt_joint_positions&,
+        const report_commanded_pan_tilt_joint_positions&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4628;

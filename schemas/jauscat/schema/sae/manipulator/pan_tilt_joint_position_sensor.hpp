@@ -17,8 +17,9 @@ namespace jauscat::sae::manipulator {
 
 /// QueryPanTiltJointPositions: code 2622h, input of PanTiltJointPositionSensor.
 struct query_pan_tilt_joint_positions {
-    friend constexpr bool operator==(const query_pan_tilt_joint_positions&,
-                                     const query_pan_tilt_joint_positions&) = default;
+    friend constexpr bool operator==(
+        const query_pan_tilt_joint_positions&,
+        const query_pan_tilt_joint_positions&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2622;
@@ -31,8 +32,9 @@ struct query_pan_tilt_joint_positions {
 struct report_pan_tilt_joint_positions {
     double joint1_position{}; ///< radian, -8 pi to 8 pi
     double joint2_position{}; ///< radian, -8 pi to 8 pi
-    friend constexpr bool operator==(const report_pan_tilt_joint_positions&,
-                                     const report_pan_tilt_joint_positions&) = default;
+    friend constexpr bool operator==(
+        const report_pan_tilt_joint_positions&,
+        const report_pan_tilt_joint_positions&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4622;

@@ -17,8 +17,9 @@ namespace jauscat::sae::manipulator {
 
 /// QueryPanTiltJointVelocity: code 2623h, input of PanTiltJointVelocitySensor.
 struct query_pan_tilt_joint_velocity {
-    friend constexpr bool operator==(const query_pan_tilt_joint_velocity&,
-                                     const query_pan_tilt_joint_velocity&) = default;
+    friend constexpr bool operator==(
+        const query_pan_tilt_joint_velocity&,
+        const query_pan_tilt_joint_velocity&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2623;
@@ -31,8 +32,9 @@ struct query_pan_tilt_joint_velocity {
 struct report_pan_tilt_joint_velocity {
     double joint1_velocity{}; ///< radian per second, -10 pi to 10 pi
     double joint2_velocity{}; ///< radian per second, -10 pi to 10 pi
-    friend constexpr bool operator==(const report_pan_tilt_joint_velocity&,
-                                     const report_pan_tilt_joint_velocity&) = default;
+    friend constexpr bool operator==(
+        const report_pan_tilt_joint_velocity&,
+        const report_pan_tilt_joint_velocity&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4623;

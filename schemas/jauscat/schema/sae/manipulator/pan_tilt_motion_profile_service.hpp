@@ -17,8 +17,9 @@ namespace jauscat::sae::manipulator {
 
 /// QueryPanTiltMotionProfile: code 2627h, input of PanTiltMotionProfileService.
 struct query_pan_tilt_motion_profile {
-    friend constexpr bool operator==(const query_pan_tilt_motion_profile&,
-                                     const query_pan_tilt_motion_profile&) = default;
+    friend constexpr bool operator==(
+        const query_pan_tilt_motion_profile&,
+        const query_pan_tilt_motion_profile&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2627;
@@ -59,8 +60,9 @@ struct report_pan_tilt_motion_profile {
     double joint2_max_speed{};             ///< radian per second, 0 to 10 pi
     double joint2_max_acceleration_rate{}; ///< radian per second squared, 0 to 10 pi
     double joint2_max_deceleration_rate{}; ///< radian per second squared, 0 to 10 pi
-    friend constexpr bool operator==(const report_pan_tilt_motion_profile&,
-                                     const report_pan_tilt_motion_profile&) = default;
+    friend constexpr bool operator==(
+        const report_pan_tilt_motion_profile&,
+        const report_pan_tilt_motion_profile&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4627;

@@ -18,8 +18,9 @@ namespace jauscat::sae::manipulator {
 /// QueryPanTiltSpecifications: code 2620h, input of PanTiltSpecificationService.
 struct query_pan_tilt_specifications {
     std::uint8_t presence_vector{};
-    friend constexpr bool operator==(const query_pan_tilt_specifications&,
-                                     const query_pan_tilt_specifications&) = default;
+    friend constexpr bool operator==(
+        const query_pan_tilt_specifications&,
+        const query_pan_tilt_specifications&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2620;
@@ -44,8 +45,9 @@ struct report_pan_tilt_specifications {
     double joint2_min_value{};                                ///< radian, -8 pi to 8 pi
     double joint2_max_value{};                                ///< radian, -8 pi to 8 pi
     double joint2_max_speed{};                                ///< radian per second, 0 to 10 pi
-    friend constexpr bool operator==(const report_pan_tilt_specifications&,
-                                     const report_pan_tilt_specifications&) = default;
+    friend constexpr bool operator==(
+        const report_pan_tilt_specifications&,
+        const report_pan_tilt_specifications&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4620;

@@ -46,8 +46,9 @@ struct set_pan_tilt_joint_effort {
 struct report_pan_tilt_joint_effort {
     double joint1_effort{}; ///< -100 to 100
     double joint2_effort{}; ///< -100 to 100
-    friend constexpr bool operator==(const report_pan_tilt_joint_effort&,
-                                     const report_pan_tilt_joint_effort&) = default;
+    friend constexpr bool operator==(
+        const report_pan_tilt_joint_effort&,
+        const report_pan_tilt_joint_effort&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4621;

@@ -51,8 +51,9 @@ struct actuator_force_torque_rec {
 /// QueryCommandedEndEffectorPose: code 2610h, input of ManipulatorEndEffectorPoseDriver,
 /// ManipulatorEndEffectorPoseListDriver.
 struct query_commanded_end_effector_pose {
-    friend constexpr bool operator==(const query_commanded_end_effector_pose&,
-                                     const query_commanded_end_effector_pose&) = default;
+    friend constexpr bool operator==(
+        const query_commanded_end_effector_pose&,
+        const query_commanded_end_effector_pose&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2610;
@@ -71,8 +72,9 @@ struct report_commanded_end_effector_pose {
     double a_component_of_unit_quaternion_q{}; ///< -1 to 1
     double b_component_of_unit_quaternion_q{}; ///< -1 to 1
     double c_component_of_unit_quaternion_q{}; ///< -1 to 1
-    friend constexpr bool operator==(const report_commanded_end_effector_pose&,
-                                     const report_commanded_end_effector_pose&) = default;
+    friend constexpr bool operator==(
+        const report_commanded_end_effector_pose&,
+        const report_commanded_end_effector_pose&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4610;
@@ -92,8 +94,9 @@ struct report_commanded_end_effector_pose {
 /// QueryCommandedJointPositions: code 2608h, input of ManipulatorJointPositionDriver,
 /// ManipulatorJointPositionListDriver.
 struct query_commanded_joint_positions {
-    friend constexpr bool operator==(const query_commanded_joint_positions&,
-                                     const query_commanded_joint_positions&) = default;
+    friend constexpr bool operator==(
+        const query_commanded_joint_positions&,
+        const query_commanded_joint_positions&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2608;
@@ -139,8 +142,9 @@ struct joint_position_rec {
 /// ManipulatorJointPositionListDriver.
 struct report_commanded_joint_positions {
     wire::list<joint_position_rec> joint_position_list{}; ///< up to 255 elements
-    friend constexpr bool operator==(const report_commanded_joint_positions&,
-                                     const report_commanded_joint_positions&) = default;
+    friend constexpr bool operator==(
+        const report_commanded_joint_positions&,
+        const report_commanded_joint_positions&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4608;

@@ -31,8 +31,9 @@ struct query_acceleration_state {
 /// QueryAccelerationStateExt: code 24B7h, input of AccelerationStateSensor.
 struct query_acceleration_state_ext {
     std::uint16_t presence_vector{};
-    friend constexpr bool operator==(const query_acceleration_state_ext&,
-                                     const query_acceleration_state_ext&) = default;
+    friend constexpr bool operator==(
+        const query_acceleration_state_ext&,
+        const query_acceleration_state_ext&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x24B7;
@@ -85,8 +86,9 @@ struct report_acceleration_state_ext {
     std::optional<double> rotational_acceleration_rms{}; ///< radian per second squared, 0 to 1000
     std::optional<std::uint32_t> time_seconds{};         ///< second
     std::optional<std::uint32_t> time_nano_seconds{};
-    friend constexpr bool operator==(const report_acceleration_state_ext&,
-                                     const report_acceleration_state_ext&) = default;
+    friend constexpr bool operator==(
+        const report_acceleration_state_ext&,
+        const report_acceleration_state_ext&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x44B7;

@@ -27,8 +27,9 @@ enum class global_loiter_driver_z_position_form : std::uint8_t {
 struct global_loiter_driver_z_position {
     global_loiter_driver_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const global_loiter_driver_z_position&,
-                                     const global_loiter_driver_z_position&) = default;
+    friend constexpr bool operator==(
+        const global_loiter_driver_z_position&,
+        const global_loiter_driver_z_position&) = default;
 
     struct schema : wire::items {
         using T = global_loiter_driver_z_position;
@@ -70,8 +71,9 @@ struct global_loiter_driver_hover_rec {
     global_loiter_driver_hover_preference hover_preference{};
     double xy_tolerance{}; ///< meter, 0 to 100000
     double z_tolerance{};  ///< meter, 0 to 50000
-    friend constexpr bool operator==(const global_loiter_driver_hover_rec&,
-                                     const global_loiter_driver_hover_rec&) = default;
+    friend constexpr bool operator==(
+        const global_loiter_driver_hover_rec&,
+        const global_loiter_driver_hover_rec&) = default;
 
     struct schema : wire::items {
         using T = global_loiter_driver_hover_rec;

@@ -27,17 +27,21 @@ enum class global_operating_zone_min_z_position_form : std::uint8_t {
 struct global_operating_zone_min_z_position {
     global_operating_zone_min_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const global_operating_zone_min_z_position&,
-                                     const global_operating_zone_min_z_position&) = default;
+    friend constexpr bool operator==(
+        const global_operating_zone_min_z_position&,
+        const global_operating_zone_min_z_position&) = default;
 
     struct schema : wire::items {
         using T = global_operating_zone_min_z_position;
         using type = layout<
             field<&T::form, enumeration<global_operating_zone_min_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<global_operating_zone_min_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<global_operating_zone_min_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<global_operating_zone_min_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_operating_zone_min_z_position_form::altitude_agl,
+                    scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_operating_zone_min_z_position_form::altitude_msl,
+                    scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_operating_zone_min_z_position_form::altitude_asf,
+                    scaled<u32le, meter_minus_50000_to_50000>>,
                 when<global_operating_zone_min_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
@@ -54,17 +58,21 @@ enum class global_operating_zone_max_z_position_form : std::uint8_t {
 struct global_operating_zone_max_z_position {
     global_operating_zone_max_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const global_operating_zone_max_z_position&,
-                                     const global_operating_zone_max_z_position&) = default;
+    friend constexpr bool operator==(
+        const global_operating_zone_max_z_position&,
+        const global_operating_zone_max_z_position&) = default;
 
     struct schema : wire::items {
         using T = global_operating_zone_max_z_position;
         using type = layout<
             field<&T::form, enumeration<global_operating_zone_max_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<global_operating_zone_max_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<global_operating_zone_max_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<global_operating_zone_max_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_operating_zone_max_z_position_form::altitude_agl,
+                    scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_operating_zone_max_z_position_form::altitude_msl,
+                    scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_operating_zone_max_z_position_form::altitude_asf,
+                    scaled<u32le, meter_minus_50000_to_50000>>,
                 when<global_operating_zone_max_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
@@ -157,8 +165,9 @@ struct query_global_operating_zone {
 struct report_global_operating_zone {
     wire::list<global_polygon_point_rec> global_operating_zone{}; ///< up to 255 elements
     wire::list<global_exclusion_zone> global_exclusion_zones{};   ///< up to 255 elements
-    friend constexpr bool operator==(const report_global_operating_zone&,
-                                     const report_global_operating_zone&) = default;
+    friend constexpr bool operator==(
+        const report_global_operating_zone&,
+        const report_global_operating_zone&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4423;

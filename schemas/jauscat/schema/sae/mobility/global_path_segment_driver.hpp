@@ -31,8 +31,9 @@ struct query_global_path_segment {
 /// QueryGlobalPathSegmentExt: code 24AFh, input of GlobalPathSegmentDriver.
 struct query_global_path_segment_ext {
     std::uint8_t presence_vector{};
-    friend constexpr bool operator==(const query_global_path_segment_ext&,
-                                     const query_global_path_segment_ext&) = default;
+    friend constexpr bool operator==(
+        const query_global_path_segment_ext&,
+        const query_global_path_segment_ext&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x24AF;
@@ -83,17 +84,21 @@ enum class global_path_segment_driver_p1_z_position_form : std::uint8_t {
 struct global_path_segment_driver_p1_z_position {
     global_path_segment_driver_p1_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const global_path_segment_driver_p1_z_position&,
-                                     const global_path_segment_driver_p1_z_position&) = default;
+    friend constexpr bool operator==(
+        const global_path_segment_driver_p1_z_position&,
+        const global_path_segment_driver_p1_z_position&) = default;
 
     struct schema : wire::items {
         using T = global_path_segment_driver_p1_z_position;
         using type = layout<
             field<&T::form, enumeration<global_path_segment_driver_p1_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<global_path_segment_driver_p1_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<global_path_segment_driver_p1_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<global_path_segment_driver_p1_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_path_segment_driver_p1_z_position_form::altitude_agl,
+                    scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_path_segment_driver_p1_z_position_form::altitude_msl,
+                    scaled<u32le, meter_minus_50000_to_50000>>,
+                when<global_path_segment_driver_p1_z_position_form::altitude_asf,
+                    scaled<u32le, meter_minus_50000_to_50000>>,
                 when<global_path_segment_driver_p1_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
@@ -134,8 +139,9 @@ struct report_global_path_segment_ext {
     std::optional<mobility::p_z_position> p_z_position{};
     double weighting_factor{};              ///< 0 to 500
     std::optional<double> path_tolerance{}; ///< meter, 0 to 100000
-    friend constexpr bool operator==(const report_global_path_segment_ext&,
-                                     const report_global_path_segment_ext&) = default;
+    friend constexpr bool operator==(
+        const report_global_path_segment_ext&,
+        const report_global_path_segment_ext&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x44AF;

@@ -50,8 +50,9 @@ enum class global_vector_driver_z_position_form : std::uint8_t {
 struct global_vector_driver_z_position {
     global_vector_driver_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const global_vector_driver_z_position&,
-                                     const global_vector_driver_z_position&) = default;
+    friend constexpr bool operator==(
+        const global_vector_driver_z_position&,
+        const global_vector_driver_z_position&) = default;
 
     struct schema : wire::items {
         using T = global_vector_driver_z_position;

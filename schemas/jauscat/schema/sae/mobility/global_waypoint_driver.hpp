@@ -56,8 +56,9 @@ enum class global_waypoint_driver_z_position_form : std::uint8_t {
 struct global_waypoint_driver_z_position {
     global_waypoint_driver_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const global_waypoint_driver_z_position&,
-                                     const global_waypoint_driver_z_position&) = default;
+    friend constexpr bool operator==(
+        const global_waypoint_driver_z_position&,
+        const global_waypoint_driver_z_position&) = default;
 
     struct schema : wire::items {
         using T = global_waypoint_driver_z_position;

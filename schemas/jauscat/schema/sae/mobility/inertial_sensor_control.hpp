@@ -37,8 +37,9 @@ struct inertial_sensor_control {
 
 /// QueryInertialSensorStatus: code 2429h, input of InertialSensorControl.
 struct query_inertial_sensor_status {
-    friend constexpr bool operator==(const query_inertial_sensor_status&,
-                                     const query_inertial_sensor_status&) = default;
+    friend constexpr bool operator==(
+        const query_inertial_sensor_status&,
+        const query_inertial_sensor_status&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2429;
@@ -71,8 +72,9 @@ enum class operating_state : std::uint8_t {
 struct report_inertial_sensor_status {
     mobility::power_state power_state{};
     mobility::operating_state operating_state{};
-    friend constexpr bool operator==(const report_inertial_sensor_status&,
-                                     const report_inertial_sensor_status&) = default;
+    friend constexpr bool operator==(
+        const report_inertial_sensor_status&,
+        const report_inertial_sensor_status&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4429;

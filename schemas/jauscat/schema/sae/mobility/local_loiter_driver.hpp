@@ -28,8 +28,9 @@ enum class local_loiter_driver_z_position_form : std::uint8_t {
 struct local_loiter_driver_z_position {
     local_loiter_driver_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const local_loiter_driver_z_position&,
-                                     const local_loiter_driver_z_position&) = default;
+    friend constexpr bool operator==(
+        const local_loiter_driver_z_position&,
+        const local_loiter_driver_z_position&) = default;
 
     struct schema : wire::items {
         using T = local_loiter_driver_z_position;
@@ -72,8 +73,9 @@ struct local_loiter_driver_hover_rec {
     local_loiter_driver_hover_preference hover_preference{};
     double xy_tolerance{}; ///< meter, 0 to 100000
     double z_tolerance{};  ///< meter, 0 to 50000
-    friend constexpr bool operator==(const local_loiter_driver_hover_rec&,
-                                     const local_loiter_driver_hover_rec&) = default;
+    friend constexpr bool operator==(
+        const local_loiter_driver_hover_rec&,
+        const local_loiter_driver_hover_rec&) = default;
 
     struct schema : wire::items {
         using T = local_loiter_driver_hover_rec;

@@ -28,8 +28,9 @@ enum class local_operating_zone_min_z_position_form : std::uint8_t {
 struct local_operating_zone_min_z_position {
     local_operating_zone_min_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const local_operating_zone_min_z_position&,
-                                     const local_operating_zone_min_z_position&) = default;
+    friend constexpr bool operator==(
+        const local_operating_zone_min_z_position&,
+        const local_operating_zone_min_z_position&) = default;
 
     struct schema : wire::items {
         using T = local_operating_zone_min_z_position;
@@ -57,8 +58,9 @@ enum class local_operating_zone_max_z_position_form : std::uint8_t {
 struct local_operating_zone_max_z_position {
     local_operating_zone_max_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const local_operating_zone_max_z_position&,
-                                     const local_operating_zone_max_z_position&) = default;
+    friend constexpr bool operator==(
+        const local_operating_zone_max_z_position&,
+        const local_operating_zone_max_z_position&) = default;
 
     struct schema : wire::items {
         using T = local_operating_zone_max_z_position;

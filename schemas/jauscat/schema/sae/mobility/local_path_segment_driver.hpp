@@ -31,8 +31,9 @@ struct query_local_path_segment {
 /// QueryLocalPathSegmentExt: code 24B0h, input of LocalPathSegmentDriver.
 struct query_local_path_segment_ext {
     std::uint8_t presence_vector{};
-    friend constexpr bool operator==(const query_local_path_segment_ext&,
-                                     const query_local_path_segment_ext&) = default;
+    friend constexpr bool operator==(
+        const query_local_path_segment_ext&,
+        const query_local_path_segment_ext&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x24B0;
@@ -84,19 +85,24 @@ enum class local_path_segment_driver_p1_z_position_form : std::uint8_t {
 struct local_path_segment_driver_p1_z_position {
     local_path_segment_driver_p1_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const local_path_segment_driver_p1_z_position&,
-                                     const local_path_segment_driver_p1_z_position&) = default;
+    friend constexpr bool operator==(
+        const local_path_segment_driver_p1_z_position&,
+        const local_path_segment_driver_p1_z_position&) = default;
 
     struct schema : wire::items {
         using T = local_path_segment_driver_p1_z_position;
         using type = layout<
             field<&T::form, enumeration<local_path_segment_driver_p1_z_position_form, u8>>,
             selected<&T::value, by<&T::form>,
-                when<local_path_segment_driver_p1_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<local_path_segment_driver_p1_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<local_path_segment_driver_p1_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_path_segment_driver_p1_z_position_form::altitude_agl,
+                    scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_path_segment_driver_p1_z_position_form::altitude_msl,
+                    scaled<u32le, meter_minus_50000_to_50000>>,
+                when<local_path_segment_driver_p1_z_position_form::altitude_asf,
+                    scaled<u32le, meter_minus_50000_to_50000>>,
                 when<local_path_segment_driver_p1_z_position_form::depth, scaled<u32le, meter_minus_50000_to_50000>>,
-                when<local_path_segment_driver_p1_z_position_form::z_local, scaled<u32le, meter_minus_50000_to_50000>>>>;
+                when<local_path_segment_driver_p1_z_position_form::z_local,
+                    scaled<u32le, meter_minus_50000_to_50000>>>>;
     };
 };
 
@@ -138,8 +144,9 @@ struct report_local_path_segment_ext {
     std::optional<mobility::p2_z_position> p2_z_position{};
     double weighting_factor{};              ///< 0 to 500
     std::optional<double> path_tolerance{}; ///< meter, 0 to 100000
-    friend constexpr bool operator==(const report_local_path_segment_ext&,
-                                     const report_local_path_segment_ext&) = default;
+    friend constexpr bool operator==(
+        const report_local_path_segment_ext&,
+        const report_local_path_segment_ext&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x44B0;

@@ -51,8 +51,9 @@ enum class local_vector_driver_z_position_form : std::uint8_t {
 struct local_vector_driver_z_position {
     local_vector_driver_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const local_vector_driver_z_position&,
-                                     const local_vector_driver_z_position&) = default;
+    friend constexpr bool operator==(
+        const local_vector_driver_z_position&,
+        const local_vector_driver_z_position&) = default;
 
     struct schema : wire::items {
         using T = local_vector_driver_z_position;

@@ -57,8 +57,9 @@ enum class local_waypoint_driver_z_position_form : std::uint8_t {
 struct local_waypoint_driver_z_position {
     local_waypoint_driver_z_position_form form{};
     double value{}; ///< meter, -50000 to 50000
-    friend constexpr bool operator==(const local_waypoint_driver_z_position&,
-                                     const local_waypoint_driver_z_position&) = default;
+    friend constexpr bool operator==(
+        const local_waypoint_driver_z_position&,
+        const local_waypoint_driver_z_position&) = default;
 
     struct schema : wire::items {
         using T = local_waypoint_driver_z_position;

@@ -309,7 +309,8 @@ struct report_travel_speed {
     };
 };
 
-/// ReportActiveElement: code 441Eh, output of GlobalPathSegmentDriver, GlobalWaypointListDriver, LocalPathSegmentDriver.
+/// ReportActiveElement: code 441Eh, output of GlobalPathSegmentDriver, GlobalWaypointListDriver,
+/// LocalPathSegmentDriver.
 struct report_active_element {
     std::uint16_t element_uid{};
     friend constexpr bool operator==(const report_active_element&, const report_active_element&) = default;

@@ -156,8 +156,9 @@ struct report_velocity_state_ext_rec {
     std::optional<double> indicated_speed{};          ///< meter per second, -327.68 to 327.67
     std::optional<std::uint32_t> time_seconds{};      ///< second
     std::optional<std::uint32_t> time_nano_seconds{};
-    friend constexpr bool operator==(const report_velocity_state_ext_rec&,
-                                     const report_velocity_state_ext_rec&) = default;
+    friend constexpr bool operator==(
+        const report_velocity_state_ext_rec&,
+        const report_velocity_state_ext_rec&) = default;
 
     struct schema : wire::items {
         using T = report_velocity_state_ext_rec;

@@ -40,8 +40,9 @@ struct set_ackermann_configuration {
 
 /// QueryAckermannConfiguration: code 2500h, input of AckermannDriver.
 struct query_ackermann_configuration {
-    friend constexpr bool operator==(const query_ackermann_configuration&,
-                                     const query_ackermann_configuration&) = default;
+    friend constexpr bool operator==(
+        const query_ackermann_configuration&,
+        const query_ackermann_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2500;
@@ -57,8 +58,9 @@ struct report_ackermann_configuration {
     double brake_effort{};                   ///< 0 to 100
     std::optional<double> steering_rate{};   ///< radian per second, -32.767 to 32.768
     std::optional<double> steering_torque{}; ///< newton meter, -500 to 500
-    friend constexpr bool operator==(const report_ackermann_configuration&,
-                                     const report_ackermann_configuration&) = default;
+    friend constexpr bool operator==(
+        const report_ackermann_configuration&,
+        const report_ackermann_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4500;

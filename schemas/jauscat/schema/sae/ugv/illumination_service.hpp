@@ -28,8 +28,9 @@ struct query_illumination_state {
 
 /// QueryIlluminationConfiguration: code 2514h, input of IlluminationService.
 struct query_illumination_configuration {
-    friend constexpr bool operator==(const query_illumination_configuration&,
-                                     const query_illumination_configuration&) = default;
+    friend constexpr bool operator==(
+        const query_illumination_configuration&,
+        const query_illumination_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2514;
@@ -323,8 +324,9 @@ struct types {
 /// ReportIlluminationConfiguration: code 4514h, output of IlluminationService.
 struct report_illumination_configuration {
     ugv::types types{};
-    friend constexpr bool operator==(const report_illumination_configuration&,
-                                     const report_illumination_configuration&) = default;
+    friend constexpr bool operator==(
+        const report_illumination_configuration&,
+        const report_illumination_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4514;

@@ -17,8 +17,9 @@ namespace jauscat::sae::ugv {
 
 /// QueryPlatformSpecifications: code 2502h, input of PlatformSpecificationsService.
 struct query_platform_specifications {
-    friend constexpr bool operator==(const query_platform_specifications&,
-                                     const query_platform_specifications&) = default;
+    friend constexpr bool operator==(
+        const query_platform_specifications&,
+        const query_platform_specifications&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2502;
@@ -152,8 +153,9 @@ struct report_platform_specifications {
     ugv::platform_specifics platform_specifics{};
     ugv::platform_inertial platform_inertial{};
     ugv::platform_spec platform_spec{};
-    friend constexpr bool operator==(const report_platform_specifications&,
-                                     const report_platform_specifications&) = default;
+    friend constexpr bool operator==(
+        const report_platform_specifications&,
+        const report_platform_specifications&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4502;

@@ -38,8 +38,9 @@ struct gas_engine_configuration_rec {
     ugv::power_state power_state{};
     std::optional<std::uint16_t> rpm{};
     std::optional<double> throttle{}; ///< 0 to 100
-    friend constexpr bool operator==(const gas_engine_configuration_rec&,
-                                     const gas_engine_configuration_rec&) = default;
+    friend constexpr bool operator==(
+        const gas_engine_configuration_rec&,
+        const gas_engine_configuration_rec&) = default;
 
     struct schema : wire::items {
         using T = gas_engine_configuration_rec;
@@ -63,8 +64,9 @@ struct diesel_engine_configuration_rec {
     std::optional<std::uint16_t> rpm{};
     std::optional<double> throttle{}; ///< 0 to 100
     std::optional<ugv::plug_state> plug_state{};
-    friend constexpr bool operator==(const diesel_engine_configuration_rec&,
-                                     const diesel_engine_configuration_rec&) = default;
+    friend constexpr bool operator==(
+        const diesel_engine_configuration_rec&,
+        const diesel_engine_configuration_rec&) = default;
 
     struct schema : wire::items {
         using T = diesel_engine_configuration_rec;
@@ -102,8 +104,9 @@ struct hydraulic_configuration_rec {
 /// Record fuelCellConfigurationRecs.
 struct fuel_cell_configuration_recs {
     ugv::power_state power_state{};
-    friend constexpr bool operator==(const fuel_cell_configuration_recs&,
-                                     const fuel_cell_configuration_recs&) = default;
+    friend constexpr bool operator==(
+        const fuel_cell_configuration_recs&,
+        const fuel_cell_configuration_recs&) = default;
 
     struct schema : wire::items {
         using T = fuel_cell_configuration_recs;
@@ -114,9 +117,15 @@ struct fuel_cell_configuration_recs {
 /// Variant powerPlantConfigurationVar: `tag` is the number of the alternative.
 struct power_plant_configuration_var {
     std::uint8_t tag{};
-    std::variant<gas_engine_configuration_rec, diesel_engine_configuration_rec, battery_configuration_rec, hydraulic_configuration_rec, fuel_cell_configuration_recs> value{};
-    friend constexpr bool operator==(const power_plant_configuration_var&,
-                                     const power_plant_configuration_var&) = default;
+    std::variant<
+        gas_engine_configuration_rec,
+        diesel_engine_configuration_rec,
+        battery_configuration_rec,
+        hydraulic_configuration_rec,
+        fuel_cell_configuration_recs> value{};
+    friend constexpr bool operator==(
+        const power_plant_configuration_var&,
+        const power_plant_configuration_var&) = default;
 
     struct schema : wire::items {
         using T = power_plant_configuration_var;
@@ -135,8 +144,9 @@ struct power_plant_configuration_var {
 struct power_plant_configuration_seq {
     power_plant_id_record power_plant_id{};
     ugv::power_plant_configuration_var power_plant_configuration_var{};
-    friend constexpr bool operator==(const power_plant_configuration_seq&,
-                                     const power_plant_configuration_seq&) = default;
+    friend constexpr bool operator==(
+        const power_plant_configuration_seq&,
+        const power_plant_configuration_seq&) = default;
 
     struct schema : wire::items {
         using T = power_plant_configuration_seq;
@@ -149,8 +159,9 @@ struct power_plant_configuration_seq {
 /// SetPowerPlantConfiguration: code 0506h, command, input of PowerPlantManager.
 struct set_power_plant_configuration {
     wire::list<power_plant_configuration_seq> power_plant_configuration_list{}; ///< up to 255 elements
-    friend constexpr bool operator==(const set_power_plant_configuration&,
-                                     const set_power_plant_configuration&) = default;
+    friend constexpr bool operator==(
+        const set_power_plant_configuration&,
+        const set_power_plant_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x0506;
@@ -164,8 +175,9 @@ struct set_power_plant_configuration {
 /// QueryPowerPlantConfiguration: code 2506h, input of PowerPlantManager.
 struct query_power_plant_configuration {
     wire::list<power_plant_id_record> id_list{}; ///< up to 255 elements
-    friend constexpr bool operator==(const query_power_plant_configuration&,
-                                     const query_power_plant_configuration&) = default;
+    friend constexpr bool operator==(
+        const query_power_plant_configuration&,
+        const query_power_plant_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2506;
@@ -178,8 +190,9 @@ struct query_power_plant_configuration {
 /// QueryPowerPlantCapabilities: code 2507h, input of PowerPlantManager.
 struct query_power_plant_capabilities {
     wire::list<power_plant_id_record> id_list{}; ///< up to 255 elements
-    friend constexpr bool operator==(const query_power_plant_capabilities&,
-                                     const query_power_plant_capabilities&) = default;
+    friend constexpr bool operator==(
+        const query_power_plant_capabilities&,
+        const query_power_plant_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2507;
@@ -205,8 +218,9 @@ struct query_power_plant_status {
 /// ReportPowerPlantConfiguration: code 4506h, output of PowerPlantManager.
 struct report_power_plant_configuration {
     wire::list<power_plant_configuration_seq> power_plant_configuration_list{}; ///< up to 255 elements
-    friend constexpr bool operator==(const report_power_plant_configuration&,
-                                     const report_power_plant_configuration&) = default;
+    friend constexpr bool operator==(
+        const report_power_plant_configuration&,
+        const report_power_plant_configuration&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4506;
@@ -267,8 +281,9 @@ struct diesel_engine_capabilities_rec {
     std::optional<double> max_coolant_temp{};   ///< degree Celsius, -75 to 180
     std::optional<double> max_glow_plug_temp{}; ///< degree Celsius, 0 to 256
     std::optional<double> glow_plug_time{};     ///< second, 0 to 256
-    friend constexpr bool operator==(const diesel_engine_capabilities_rec&,
-                                     const diesel_engine_capabilities_rec&) = default;
+    friend constexpr bool operator==(
+        const diesel_engine_capabilities_rec&,
+        const diesel_engine_capabilities_rec&) = default;
 
     struct schema : wire::items {
         using T = diesel_engine_capabilities_rec;
@@ -345,9 +360,15 @@ struct fuel_cell_capabilities_rec {
 /// Variant powerPlantCapabilitiesVar: `tag` is the number of the alternative.
 struct power_plant_capabilities_var {
     std::uint8_t tag{};
-    std::variant<gas_engine_capabilities_rec, diesel_engine_capabilities_rec, battery_capabilities_list, hydraulic_capabilities_rec, fuel_cell_capabilities_rec> value{};
-    friend constexpr bool operator==(const power_plant_capabilities_var&,
-                                     const power_plant_capabilities_var&) = default;
+    std::variant<
+        gas_engine_capabilities_rec,
+        diesel_engine_capabilities_rec,
+        battery_capabilities_list,
+        hydraulic_capabilities_rec,
+        fuel_cell_capabilities_rec> value{};
+    friend constexpr bool operator==(
+        const power_plant_capabilities_var&,
+        const power_plant_capabilities_var&) = default;
 
     struct schema : wire::items {
         using T = power_plant_capabilities_var;
@@ -366,8 +387,9 @@ struct power_plant_capabilities_var {
 struct power_plant_capabilities_seq {
     ugv::power_plant_desc_rec power_plant_desc_rec{};
     ugv::power_plant_capabilities_var power_plant_capabilities_var{};
-    friend constexpr bool operator==(const power_plant_capabilities_seq&,
-                                     const power_plant_capabilities_seq&) = default;
+    friend constexpr bool operator==(
+        const power_plant_capabilities_seq&,
+        const power_plant_capabilities_seq&) = default;
 
     struct schema : wire::items {
         using T = power_plant_capabilities_seq;
@@ -380,8 +402,9 @@ struct power_plant_capabilities_seq {
 /// ReportPowerPlantCapabilities: code 4507h, output of PowerPlantManager.
 struct report_power_plant_capabilities {
     wire::list<power_plant_capabilities_seq> power_plant_capabilities_list{}; ///< up to 255 elements
-    friend constexpr bool operator==(const report_power_plant_capabilities&,
-                                     const report_power_plant_capabilities&) = default;
+    friend constexpr bool operator==(
+        const report_power_plant_capabilities&,
+        const report_power_plant_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4507;

@@ -41,8 +41,9 @@ struct query_stabilizer_effort {
 
 /// QueryStabilizerCapabilities: code 2505h, input of StabilizerDriver.
 struct query_stabilizer_capabilities {
-    friend constexpr bool operator==(const query_stabilizer_capabilities&,
-                                     const query_stabilizer_capabilities&) = default;
+    friend constexpr bool operator==(
+        const query_stabilizer_capabilities&,
+        const query_stabilizer_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x2505;
@@ -82,8 +83,9 @@ struct set_stabilizer_effort {
 struct set_stabilizer_position_stabilizer_position_rec {
     std::uint8_t stabilizer_id{};
     double position{}; ///< radian, -3.14159 to 3.14159
-    friend constexpr bool operator==(const set_stabilizer_position_stabilizer_position_rec&,
-                                     const set_stabilizer_position_stabilizer_position_rec&) = default;
+    friend constexpr bool operator==(
+        const set_stabilizer_position_stabilizer_position_rec&,
+        const set_stabilizer_position_stabilizer_position_rec&) = default;
 
     struct schema : wire::items {
         using T = set_stabilizer_position_stabilizer_position_rec;
@@ -124,8 +126,9 @@ struct report_stabilizer_position_stabilizer_position_rec {
     std::uint8_t stabilizer_id{};
     double commanded_position{}; ///< radian, -3.14159 to 3.14159
     double actual_position{};    ///< radian, -3.14159 to 3.14159
-    friend constexpr bool operator==(const report_stabilizer_position_stabilizer_position_rec&,
-                                     const report_stabilizer_position_stabilizer_position_rec&) = default;
+    friend constexpr bool operator==(
+        const report_stabilizer_position_stabilizer_position_rec&,
+        const report_stabilizer_position_stabilizer_position_rec&) = default;
 
     struct schema : wire::items {
         using T = report_stabilizer_position_stabilizer_position_rec;
@@ -198,8 +201,9 @@ struct stabilizer_capabilities_seq {
 /// ReportStabilizerCapabilities: code 4505h, output of StabilizerDriver.
 struct report_stabilizer_capabilities {
     wire::list<stabilizer_capabilities_seq> stabilizer_capabilities{}; ///< up to 255 elements
-    friend constexpr bool operator==(const report_stabilizer_capabilities&,
-                                     const report_stabilizer_capabilities&) = default;
+    friend constexpr bool operator==(
+        const report_stabilizer_capabilities&,
+        const report_stabilizer_capabilities&) = default;
 
     struct schema : wire::items {
         static constexpr std::uint16_t command_code = 0x4505;
