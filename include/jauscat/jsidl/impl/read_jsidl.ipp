@@ -1,7 +1,7 @@
 // The reader of JSIDL files.
 #pragma once
 #include <jauscat/jsidl/check.hpp>
-#include <jauscat/jsidl/detail/document.hpp>
+#include <jauscat/jsidl/document.hpp>
 #include <jauscat/jsidl/read_jsidl.hpp>
 
 #include <array>

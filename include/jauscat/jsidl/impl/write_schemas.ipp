@@ -1,6 +1,6 @@
 // The writer of schema headers.
 #pragma once
-#include <jauscat/jsidl/detail/schema_plan.hpp>
+#include <jauscat/jsidl/schema_plan.hpp>
 #include <jauscat/jsidl/write_schemas.hpp>
 
 #include <charconv>
@@ -366,10 +366,7 @@ class set_writer {
                     line = "    " + declaration(each);
                 }
             }
-            if (line.size() > line_length)
-                term{.head = each.type}.print(out, 4, ' ' + each.name + "{};");
-            else
-                out += line + '\n';
+            out += line.size() > line_length ? in_lines(each) : line + '\n';
         }
         const std::string type = "const " + owner_ + '&';
         auto equal = "    friend constexpr bool operator==(" + type + ", " + type + ") = default;\n";
@@ -384,6 +381,16 @@ class set_writer {
             layout.print(out, 8, ";");
         }
         out += "    };\n};\n";
+    }
+    /// A declaration that one line does not hold.
+    static std::string in_lines(const member& each) {
+        std::string made;
+        term{.head = each.type}.print(made, 4, ' ' + each.name + "{};");
+        const auto last = made.rfind('\n', made.size() - 2);
+        if (made.size() - 1 - (last + 1) <= line_length) return made;
+        made.clear();
+        term{.head = each.type}.print(made, 4, "");
+        return made + "        " + each.name + "{};\n";
     }
     static std::string declaration(const member& each) { return each.type + ' ' + each.name + "{};"; }
 

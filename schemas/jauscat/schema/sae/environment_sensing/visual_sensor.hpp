@@ -103,8 +103,8 @@ struct query_visual_sensor_capabilities_ext_query_visual_sensor_capabilities_rec
 /// QueryVisualSensorCapabilitiesExt: code 280Ah, input of VisualSensor.
 struct query_visual_sensor_capabilities_ext {
     /// up to 65535 elements
-    wire::list<
-        query_visual_sensor_capabilities_ext_query_visual_sensor_capabilities_rec> query_visual_sensor_capabilities_list{};
+    wire::list<query_visual_sensor_capabilities_ext_query_visual_sensor_capabilities_rec>
+        query_visual_sensor_capabilities_list{};
     friend constexpr bool operator==(
         const query_visual_sensor_capabilities_ext&,
         const query_visual_sensor_capabilities_ext&) = default;

@@ -235,7 +235,9 @@ class schema_plan {
             again = false;
             std::map<std::string, std::vector<part*>> by_name;
             for (auto& each : parts_) by_name[each.name()].push_back(&each);
-            for (auto& [name, same] : by_name) {
+            for (const auto& named : by_name) {
+                const auto& name = named.first;
+                const auto& same = named.second;
                 const bool is_message =
                     std::ranges::find(messages, name, &planned_message::name) != messages.end() || name == "services";
                 const auto differs = [&](const part* each) {
