@@ -27,6 +27,8 @@ EXPLAINED = {
         "unreadable not_xml wrong_root unexpected missing duplicate too_many invalid_value no_such_system",
     "include/jauscat/esi/error.hpp errc":
         "unreadable not_xml not_esi missing unexpected invalid_value duplicate inconsistent",
+    "include/jauscat/jsidl/error.hpp errc":
+        "unreadable not_xml not_jsidl missing unexpected invalid_value duplicate inconsistent",
     "include/jauscat/text/error.hpp errc":
         "unfinished_escape unfinished_quote not_an_assignment invalid_path index_too_large duplicate missing_name "
         "unknown_message unhandled_message unknown_field missing_field wrong_kind invalid_value out_of_range wrong_size "
@@ -108,7 +110,8 @@ for folder in "include", "schemas":
         for name in re.findall(r"^enum class (\w*(?:errc|error_code|abort_code|status_code|_status)) ",
                                path.read_text(encoding="utf-8"), re.M):
             # What a message reports of a mission or a component is no error of the library.
-            if (file, name) not in named and not file.startswith("schemas/jauscat/schema/jaus/"):
+            if (file, name) not in named and not file.startswith(
+                    ("schemas/jauscat/schema/jaus/", "schemas/jauscat/schema/sae")):
                 problems.append(f"{name} ({file}) has no table in docs/errors.md")
 
 print("\n".join(problems) or f"{len(tables)} enumerations, all in docs/errors.md")

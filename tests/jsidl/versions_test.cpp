@@ -50,7 +50,8 @@ TEST_CASE("bit 0 of SetLocalVector is the speed in version 1.0, and the altitude
 }
 
 TEST_CASE("version 1.0 of core lacks lists, command events, event timeouts and service lists") {
-    for (const std::uint16_t code : {0x041A, 0x441C, 0x2B04, 0x4B04, 0x01F6, 0x21F2, 0x41F2, 0x41F6}) {
+    for (const int each : {0x041A, 0x441C, 0x2B04, 0x4B04, 0x01F6, 0x21F2, 0x41F2, 0x41F6}) {
+        const auto code = static_cast<std::uint16_t>(each);
         INFO(code);
         CHECK_FALSE(sae::with_message(sae::core::messages{}, service_version::v1_0, code, []<class>() {}));
         CHECK(sae::with_message(sae::core::messages{}, service_version::v1_1, code, []<class>() {}));

@@ -1,5 +1,6 @@
 // The writer of schema headers.
 #pragma once
+#include <jauscat/jsidl/expression.hpp>
 #include <jauscat/jsidl/schema_plan.hpp>
 #include <jauscat/jsidl/write_schemas.hpp>
 
@@ -189,8 +190,9 @@ class set_writer {
     std::string set_header() const {
         std::string made = note("All services of the set " + plan_.set + ", and the list of their messages.");
         made += "#include <jauscat/schema/jaus/message_list.hpp>\n";
-        for (const auto* const one : plan_.services)
-            made += include(plan_.set + '/' + schema_plan::file_of(*one) + ".hpp");
+        std::set<std::string> files;
+        for (const auto* const one : plan_.services) files.insert(schema_plan::file_of(*one));
+        for (const auto& each : files) made += include(plan_.set + '/' + each + ".hpp");
         std::vector<std::pair<std::uint16_t, std::string>> sorted;
         for (const auto& each : plan_.messages) sorted.emplace_back(each.of->id, each.name);
         std::ranges::sort(sorted);

@@ -3,7 +3,6 @@
 #pragma once
 #include <jauscat/schema/jaus/message_list.hpp>
 #include <jauscat/schema/sae/mobility/acceleration_state_sensor.hpp>
-#include <jauscat/schema/sae/mobility/gps_fix.hpp>
 #include <jauscat/schema/sae/mobility/global_loiter_driver.hpp>
 #include <jauscat/schema/sae/mobility/global_operating_zone.hpp>
 #include <jauscat/schema/sae/mobility/global_path_segment_driver.hpp>
@@ -11,6 +10,7 @@
 #include <jauscat/schema/sae/mobility/global_vector_driver.hpp>
 #include <jauscat/schema/sae/mobility/global_waypoint_driver.hpp>
 #include <jauscat/schema/sae/mobility/global_waypoint_list_driver.hpp>
+#include <jauscat/schema/sae/mobility/gps_fix.hpp>
 #include <jauscat/schema/sae/mobility/inertial_sensor_control.hpp>
 #include <jauscat/schema/sae/mobility/local_loiter_driver.hpp>
 #include <jauscat/schema/sae/mobility/local_operating_zone.hpp>
