@@ -19,10 +19,8 @@ inline namespace JAUSCAT_WAY {
 /// no such part.
 [[nodiscard]] JAUSCAT_DECL std::string set_of(std::string_view service_id);
 
-namespace detail {
-/// Throws `jsidl_error`.
-JAUSCAT_DECL void check(std::span<const service> services);
-} // namespace detail
+/// Throws `jsidl_error` for what the definitions cannot mean, and for what no schema says.
+JAUSCAT_DECL void check_services(std::span<const service> services);
 
 } // namespace JAUSCAT_WAY
 } // namespace jauscat::jsidl

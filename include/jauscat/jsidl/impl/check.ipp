@@ -260,13 +260,11 @@ JAUSCAT_DECL std::string set_of(std::string_view service_id) {
     return identifier(service_id.substr(before + 1, last - before - 1), "set");
 }
 
-namespace detail {
-JAUSCAT_DECL void check(std::span<const service> services) {
+JAUSCAT_DECL void check_services(std::span<const service> services) {
     for (const auto& each : services) detail::service_check{each}.run();
     detail::check_inheritance(services);
     detail::check_sets(services);
 }
-} // namespace detail
 
 } // namespace JAUSCAT_WAY
 } // namespace jauscat::jsidl

@@ -344,7 +344,7 @@ JAUSCAT_DECL result<std::vector<service>, error> parse_facts(std::string_view te
     return detail::caught([&] {
         auto services = detail::facts_reader{text, std::move(source)}.read();
         std::ranges::sort(services, {}, [](const service& each) { return std::tie(each.id, each.version); });
-        detail::check(services);
+        check_services(services);
         return services;
     });
 }

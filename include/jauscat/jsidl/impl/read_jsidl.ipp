@@ -398,7 +398,7 @@ JAUSCAT_DECL result<std::vector<service>, error> parse_jsidl(std::span<const jsi
             if (detail::local_name(each.root()) == "service_def")
                 services.push_back(detail::service_reader{each, known}.read());
         std::ranges::sort(services, {}, [](const service& each) { return std::tie(each.id, each.version); });
-        detail::check(services);
+        check_services(services);
         return services;
     });
 }
