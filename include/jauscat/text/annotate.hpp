@@ -26,6 +26,8 @@ class annotating_trace : public wire::decode_trace {
                               to_text(field, value));
             });
             line(row);
+        } else if constexpr (requires { Item::fixed_value; }) {
+            constant_line(Item::name(), static_cast<std::uint64_t>(Item::fixed_value), Item::max_size);
         } else if constexpr (requires { Item::key; } && Item::max_size != 0) {
             const auto& value = wire::value_of(wire::member_of<Item::key>(object));
             if constexpr (Item::name() == "command_code")
@@ -53,6 +55,9 @@ class annotating_trace : public wire::decode_trace {
         std::string name = prefix();
         name.pop_back(); // the dot
         line(name + " = " + value);
+    }
+    void constant_line(std::string_view name, std::uint64_t value, std::size_t size) {
+        member_line(name, name == "message_id" ? hex_number(value, size * 2) : std::to_string(value));
     }
     void number_line(std::string_view name, std::uint64_t value, std::size_t size) {
         member_line(name, name == "presence_vector" ? hex_number(value, size * 2) : std::to_string(value));

@@ -129,6 +129,10 @@ template <class T, class Item> constexpr void append(member*& out) {
             made.how = &codec_form<value_type, typename Item::codec_type>;
         } else if constexpr (requires { Item::max_depth; }) {
             made.how = &tree_of<Item>::value;
+        } else if constexpr (requires { typename Item::alternatives; }) {
+            made.how = &variant_form_of<Item>;
+        } else if constexpr (std::is_same_v<value_type, wire::embedded_message>) {
+            made.how = &embedded_form;
         } else if constexpr (requires { typename Item::cases; }) {
             made.how = &choice_of<value_type, typename Item::cases>::value;
             made.tag = tag_of(Item{});

@@ -308,6 +308,30 @@ class filler {
                 return false;
         return true;
     }
+    /// An object of one member, which is named after the alternative; its name alone where it has no fields.
+    bool told(const variant_form& is, void* at, const input& in, const frame& here) {
+        static const input no_fields{.what = input::kind::object};
+        const bool named_only = in.what == input::kind::leaf;
+        const input* held = nullptr;
+        for (const input& part : in.parts)
+            if (part.what != input::kind::nothing) {
+                if (held != nullptr) return fail(errc::wrong_kind, "has more than one alternative");
+                held = &part;
+            }
+        if (!named_only && (in.what != input::kind::object || held == nullptr))
+            return fail(not_a("is one of several structures: an object with the name of one of them"));
+        const std::string& name = named_only ? in.text : held->name;
+        const auto found = std::ranges::find(is.alternatives, name, &alternative::name);
+        if (found == is.alternatives.end()) {
+            std::vector<std::string_view> names;
+            for (const alternative& one : is.alternatives) names.push_back(one.name);
+            return fail(errc::unknown_field, "has no alternative '" + name + "'" + suggestion(name, names));
+        }
+        void* const made = is.make(at, static_cast<std::size_t>(found - is.alternatives.begin()));
+        if (found->how == nullptr) return true;
+        return inside(std::string{found->name},
+                      [&] { return value(*found->how, made, named_only ? no_fields : *held, here); });
+    }
     bool told(const choice_form&, void*, const input&, const frame&) {
         return fail(errc::inconsistent, "has no form");
     } // see choice

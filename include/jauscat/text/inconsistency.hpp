@@ -51,10 +51,18 @@ class inconsistency {
     void value(const member& one, const void* at, const scope& here, const std::string& name) {
         if (const auto* const inner = std::get_if<structure_form>(&one.how->is))
             fields(*inner->of, at, &here, name + ".");
+        else if (const auto* const variant = std::get_if<variant_form>(&one.how->is))
+            alternative_of(*variant, at, here, name);
         else if (const auto* const list = std::get_if<list_form>(&one.how->is))
             elements(*list, at, here, name);
         else if (const auto* const tree = std::get_if<tree_form>(&one.how->is))
             elements(tree->nodes, at, here, name);
+    }
+    void alternative_of(const variant_form& variant, const void* at, const scope& here, const std::string& name) {
+        const alternative& held = variant.alternatives[variant.index(at)];
+        if (held.how == nullptr) return;
+        if (const auto* const inner = std::get_if<structure_form>(&held.how->is))
+            fields(*inner->of, variant.get(at), &here, name + "." + std::string{held.name} + ".");
     }
     void elements(const list_form& list, const void* at, const scope& here, const std::string& name) {
         const auto* const inner = std::get_if<structure_form>(&list.element->is);

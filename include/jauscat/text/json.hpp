@@ -2,7 +2,8 @@
 //
 // The object has the fields by name, in wire order. Scaled fields are {"value": 49.998, "raw": 16383}; enumerations,
 // flags and bit-fields of one integer (time stamps) are that integer; groups are arrays, in which a single value stands
-// under its field's name: "joint": [{"joint_effort": {...}}]; counts have names of their own; absent fields are left
+// under its field's name: "joint": [{"joint_effort": {...}}]; a variant is an object of its alternative, by the name of
+// its type: "velocity": {"velocity_vehicle": {...}}; counts have names of their own; absent fields are left
 // out; bytes and messages inside messages are hex. Not every text and number is JSON: text that is not UTF-8 is
 // {"hex": "ff00"}, the numbers that are none are "NaN", "Infinity" and "-Infinity".
 #pragma once
@@ -96,6 +97,10 @@ class json_writer {
     json told(const structure_form& is, const void* at) { return fields(*is.of, at, false); }
     static json told(const packed_form& is, const void* at) { return is.get(at); }
     static json told(const encoded_form& is, const void* at) { return plain_hex(is.encode(at)); }
+    json told(const variant_form& is, const void* at) {
+        const alternative& held = is.alternatives[is.index(at)];
+        return {{std::string{held.name}, held.how == nullptr ? json::object() : value(*held.how, is.get(at))}};
+    }
     json told(const list_form& is, const void* at) {
         json made = json::array();
         const auto* element = static_cast<const std::byte*>(is.first(at));

@@ -82,7 +82,7 @@ struct packed_form {
 
 /// A structure shown as bytes: a message inside a message.
 struct encoded_form {
-    const structure* of{};                                     ///< its members
+    const structure* of{};                                     ///< its members; nullptr: of any message
     std::vector<std::byte> (*encode)(const void* value){};     ///< empty where it does not encode
     bool (*decode)(void* value, std::span<const std::byte>){}; ///< may keep pointing at the bytes
 };
@@ -127,10 +127,24 @@ struct choice_form {
     std::span<const choice_case> cases{}; ///< all of them
 };
 
+/// An alternative of variant_form.
+struct alternative {
+    std::string_view name{}; ///< of its type
+    const form* how{};       ///< nullptr: it has no value
+};
+/// One of several structures, with its number before it on the wire.
+struct variant_form {
+    std::span<const alternative> alternatives{}; ///< by number
+    unsigned bits{};                             ///< of the number
+    std::size_t (*index)(const void* value){};   ///< of the one that is held
+    const void* (*get)(const void* value){};     ///< the one that is held
+    void* (*make)(void* value, std::size_t index){};
+};
+
 /// Text form of a value.
 struct form {
     std::variant<integer_form, real_form, scaled_form, octets_form, structure_form, packed_form, encoded_form,
-                 list_form, tree_form, choice_form>
+                 list_form, tree_form, choice_form, variant_form>
         is; ///< which of these
 };
 

@@ -130,6 +130,52 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree_of<wire:
                   .children = access<Children>::other()}};
 };
 
+template <class Held> constexpr alternative alternative_of() {
+    if constexpr (wire::message<Held>)
+        return {wire::type_name<Held>(), &structure_form_of<Held>};
+    else
+        return {"none", nullptr};
+}
+template <class Variant> struct variant_access;
+template <class... Alternatives> struct variant_access<std::variant<Alternatives...>> {
+    using value_type = std::variant<Alternatives...>;
+    static constexpr std::array alternatives{alternative_of<Alternatives>()...};
+    static std::size_t index(const void* value) { return static_cast<const value_type*>(value)->index(); }
+    static const void* get(const void* value) {
+        return std::visit([](const auto& held) -> const void* { return &held; },
+                          *static_cast<const value_type*>(value));
+    }
+    static void* make(void* value, std::size_t index) {
+        void* made = nullptr;
+        wire::detail::alternatives_of<value_type>::with(
+            index, [&]<std::size_t I, class>() { made = &static_cast<value_type*>(value)->template emplace<I>(); });
+        return made;
+    }
+};
+template <class Item>
+inline constexpr form variant_form_of{
+    variant_form{.alternatives = variant_access<typename Item::value_type>::alternatives,
+                 .bits = static_cast<unsigned>(Item::tag_codec::size * 8),
+                 .index = &variant_access<typename Item::value_type>::index,
+                 .get = &variant_access<typename Item::value_type>::get,
+                 .make = &variant_access<typename Item::value_type>::make}};
+
+inline constexpr form embedded_form{encoded_form{.encode =
+                                                     [](const void* value) {
+                                                         const auto& inner =
+                                                             *static_cast<const wire::embedded_message*>(value);
+                                                         std::vector<std::byte> bytes(inner.size());
+                                                         if (inner.put(bytes.data()).error != wire::errc::ok)
+                                                             bytes.clear();
+                                                         return bytes;
+                                                     },
+                                                 .decode =
+                                                     [](void* value, std::span<const std::byte> bytes) {
+                                                         *static_cast<wire::embedded_message*>(value) =
+                                                             wire::embedded_message{bytes};
+                                                         return true;
+                                                     }}};
+
 template <class Value, class Case> constexpr choice_case case_of() {
     using form_type = typename Case::form;
     using held = typename wire::case_form<form_type>::value_type;

@@ -124,6 +124,8 @@ std::string to_text(const T& value) {
     } else if constexpr (requires { typename T::bit_type; }) {
         return detail::set_bits(detail::enumerator_names<typename T::bit_type>, sizeof(typename T::bits_type) * 8,
                                 value.bits());
+    } else if constexpr (std::is_same_v<T, wire::embedded_message>) {
+        return value.is_to_encode() ? std::to_string(value.size()) + " bytes" : hex(value.bytes());
     } else if constexpr (std::is_same_v<T, std::monostate>) {
         return "none";
     } else if constexpr (wire::is_variant<T>) {

@@ -67,6 +67,12 @@ template <auto Member, class Element = record> struct array {
         else
             return false;
     }();
+    static constexpr bool checks_values = [] {
+        if constexpr (of_records)
+            return layout_of<value_type>::checks_values;
+        else
+            return requires { typename element_type::codec_type::value_set; };
+    }();
     static constexpr bool needs_memory = [] {
         if constexpr (of_records)
             return layout_of<value_type>::needs_memory;

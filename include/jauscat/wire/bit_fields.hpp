@@ -124,6 +124,7 @@ template <class Carrier, class... Fields> struct bit_fields {
     using fields = std::tuple<Fields...>;
     using keys = joined_keys<typename Fields::keys...>;
     static constexpr bool optional = false;
+    static constexpr bool checks_values = (requires { typename Fields::value_set; } || ... || false);
     static constexpr std::size_t min_size = Carrier::size, max_size = Carrier::size;
     static_assert((Fields::width + ... + 0) == Carrier::size * 8,
                   "bit_fields: the widths must fill the carrier exactly (add reserved<n> for unused bits)");

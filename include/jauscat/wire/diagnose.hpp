@@ -12,7 +12,23 @@ namespace detail {
 template <message T> constexpr errc decode_error(std::span<const std::byte> in) noexcept {
     using root = std::conditional_t<needs_memory<T>, discarding_root, plain_root>;
     T scratch{};
-    return decode<true>(scratch, in, root{}).error();
+    return decode<true, outside_values::tolerated>(scratch, in, root{}).error();
+}
+/// The first value outside its value set, of bytes that decode.
+template <message T> constexpr diagnosis value_outside(std::span<const std::byte> in) noexcept {
+    if constexpr (layout_of<T>::checks_values) {
+        T scratch{};
+        decode_trace trace{in, errc::outside_value_set};
+        if (!decode_traced(scratch, trace)) return trace.found(trace.error());
+    }
+    return {};
+}
+template <message T> constexpr diagnosis value_outside(const T& value) noexcept {
+    if constexpr (layout_of<T>::checks_values) {
+        encode_trace trace{errc::outside_value_set};
+        if (!encode_traced(value, trace)) return trace.found(trace.error());
+    }
+    return {};
 }
 } // namespace detail
 
@@ -20,7 +36,7 @@ template <message T> constexpr errc decode_error(std::span<const std::byte> in) 
 /// are valid (arena_full depends on the memory).
 template <message T> [[nodiscard]] constexpr diagnosis diagnose(std::span<const std::byte> in) noexcept {
     const errc error = detail::decode_error<T>(in);
-    if (error == errc::ok) return {};
+    if (error == errc::ok) return detail::value_outside<T>(in);
     if (error == errc::too_long) return {.error = error, .needed = in.size(), .available = packed_size<errc>::max_size};
     T scratch{};
     decode_trace trace{in, error};
@@ -37,7 +53,7 @@ template <message T>
         return {.error = errc::too_long, .needed = needed, .available = packed_size<errc>::max_size};
     if (space < needed) return {.error = errc::no_space, .needed = needed, .available = space};
     encode_trace trace;
-    return encode_traced(value, trace) ? diagnosis{} : trace.found(trace.error());
+    return encode_traced(value, trace) ? detail::value_outside(value) : trace.found(trace.error());
 }
 
 } // namespace jauscat::wire

@@ -2,6 +2,7 @@
 #pragma once
 #include <jauscat/wire/layout.hpp>
 #include <jauscat/wire/packed_size.hpp>
+#include <jauscat/wire/value_set.hpp>
 
 #include <span>
 
@@ -26,12 +27,10 @@ template <message T>
         return layout_of<T>::size(value, object_scope{value, plain_root{}});
 }
 
-/// Writes `value` to the front of `out`, which must not overlap it, and returns the bytes written.
-/// Errors: no_space, too_long (nothing was written); out_of_range, count_above_capacity, count_mismatch, unknown_tag,
-/// presence_mismatch, too_deep (`out` is then unspecified).
+/// The same as encode without the last argument, but accepts values outside their value sets.
 template <message T>
 [[nodiscard, gnu::always_inline]] constexpr result<std::span<std::byte>, errc>
-encode(const T& value, std::span<std::byte> out) noexcept {
+encode(const T& value, std::span<std::byte> out, tolerate_values_tag) noexcept {
     if constexpr (!never_too_long<T>) {
         const std::size_t size = encoded_size(value);
         if (size > packed_size<errc>::max_size) return errc::too_long;
@@ -42,6 +41,18 @@ encode(const T& value, std::span<std::byte> out) noexcept {
     const out_cursor end = detail::put_message(value, out.data());
     if (end.error != errc::ok) return end.error;
     return std::span<std::byte>{out.data(), end.at};
+}
+
+/// Writes `value` to the front of `out`, which must not overlap it, and returns the bytes written.
+/// Errors: no_space, too_long, outside_value_set (nothing was written); out_of_range, count_above_capacity,
+/// count_mismatch, unknown_tag, presence_mismatch, too_deep (`out` is then unspecified).
+template <message T>
+[[nodiscard, gnu::always_inline]] constexpr result<std::span<std::byte>, errc>
+encode(const T& value, std::span<std::byte> out) noexcept {
+    if constexpr (layout_of<T>::checks_values) {
+        if (const errc error = check_values(value); error != errc::ok) return error;
+    }
+    return encode(value, out, tolerate_values);
 }
 
 } // namespace jauscat::wire

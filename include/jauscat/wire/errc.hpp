@@ -20,6 +20,7 @@ enum class errc : std::uint8_t {
     too_deep,             ///< a tree has more levels than its layout allows
     arena_full,           ///< the memory for lists is used up
     too_long,             ///< more than 2^24 - 1 bytes
+    outside_value_set,    ///< a value that the standard does not define; the bytes are those of a message
 };
 
 /// The error in one line, for logs.
@@ -37,6 +38,7 @@ enum class errc : std::uint8_t {
     case errc::presence_mismatch: return "presence mismatch: a member and the flag that announces it disagree";
     case errc::too_deep: return "too deep: the tree has more levels than its layout allows";
     case errc::arena_full: return "arena full: the memory given for lists is used up";
+    case errc::outside_value_set: return "outside value set: the standard does not define this value";
     case errc::too_long: return "too long: more than 16 MiB";
     }
     return "unknown error";

@@ -17,6 +17,7 @@ template <auto Member, class Codec> struct field {
     using codec_type = Codec;
     using value_type = member_value_t<Member>;
     static constexpr bool optional = is_optional_member<Member>;
+    static constexpr bool checks_values = requires { typename Codec::value_set; };
     static constexpr std::size_t min_size = Codec::size, max_size = Codec::size;
     static_assert(detail::is_carried<Member, value_type, typename Codec::value_type>,
                   "field: the member's type is not the type its codec carries");

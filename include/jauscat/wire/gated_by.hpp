@@ -20,6 +20,7 @@ template <auto Flag, class Item> struct gated_by {
     static constexpr bool optional = false; // no presence vector of its own
     static constexpr bool contextual = true;
     static constexpr bool needs_memory = item_needs_memory<Item>;
+    static constexpr bool checks_values = item_checks_values<Item>;
     static constexpr std::size_t min_size = 0, max_size = Item::max_size;
     static_assert(detail::may_be_absent<key, Item>, "gated_by: the member must be a std::optional");
 

@@ -81,6 +81,11 @@ template <class Item> inline constexpr bool item_needs_memory = false;
 template <class Item>
 requires requires { Item::needs_memory; }
 inline constexpr bool item_needs_memory<Item> = Item::needs_memory;
+/// An item has `checks_values` if a codec or a count in it has a value set.
+template <class Item> inline constexpr bool item_checks_values = false;
+template <class Item>
+requires requires { Item::checks_values; }
+inline constexpr bool item_checks_values<Item> = Item::checks_values;
 /// An item has `takes_rest` if it contains all remaining bytes.
 template <class Item> inline constexpr bool takes_rest = false;
 template <class Item>

@@ -173,6 +173,7 @@ template <class... Items> struct layout {
     static constexpr std::size_t max_size = total_size(Items::max_size...);
     static constexpr bool contextual = (is_contextual<Items> || ... || false);
     static constexpr bool needs_memory = (item_needs_memory<Items> || ... || false);
+    static constexpr bool checks_values = (item_checks_values<Items> || ... || false);
     static constexpr bool to_the_end = (takes_rest<Items> || ... || false);
     static_assert(
         [] {

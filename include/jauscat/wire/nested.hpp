@@ -52,6 +52,7 @@ template <auto Member> struct nested {
     static constexpr std::size_t min_size = inner::min_size, max_size = inner::max_size;
     static constexpr bool contextual = inner::contextual;
     static constexpr bool needs_memory = inner::needs_memory;
+    static constexpr bool checks_values = inner::checks_values;
     static constexpr bool to_the_end = inner::to_the_end;
     using raw_type = std::conditional_t<optional, std::optional<raw<value_type>>, raw<value_type>>;
 

@@ -88,6 +88,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     static constexpr bool all_fixed = (fixed_item<Items> && ... && true);
     static constexpr bool contextual = (is_contextual<Items> || ... || false);
     static constexpr bool needs_memory = (item_needs_memory<Items> || ... || false);
+    static constexpr bool checks_values = (item_checks_values<Items> || ... || false);
     static constexpr bool to_the_end = Unknown == unknown_bits::tolerated || (takes_rest<Items> || ... || false);
     static_assert(optional_count <= Carrier::size * 8,
                   "presence: more optional fields than bits in the presence vector");

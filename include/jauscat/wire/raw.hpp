@@ -1,6 +1,7 @@
 // A message with every scaled field as the integer on the wire: exact for every byte pattern, without floating point.
 #pragma once
 #include <jauscat/wire/bit_fields.hpp>
+#include <jauscat/wire/constant.hpp>
 #include <jauscat/wire/gated_by.hpp>
 #include <jauscat/wire/layout.hpp>
 #include <jauscat/wire/presence.hpp>
@@ -32,6 +33,7 @@ template <class Item> struct slots_of {
     using type = slot_list<slot<Item::key, typename Item::raw_type>>;
 };
 template <std::size_t Width> struct slots_of<reserved<Width>> : joined_slots<> {};
+template <label Name, class Codec, auto Value> struct slots_of<constant<Name, Codec, Value>> : joined_slots<> {};
 template <auto Flag, class Item> struct slots_of<gated_by<Flag, Item>> : slots_of<Item> {};
 template <class Carrier, class... Fields>
 struct slots_of<bit_fields<Carrier, Fields...>> : joined_slots<typename slots_of<Fields>::type...> {};

@@ -177,6 +177,12 @@ template <auto Member, class Count, class Element = record> struct repeated {
 
     using refers = joined_keys<references_of<Count>, references_of<plain_form>>;
     static constexpr bool contextual = true; // elements look at what is around them
+    static constexpr bool checks_values = requires { typename Count::value_set; } || [] {
+        if constexpr (of_records)
+            return layout_of<value_type>::checks_values;
+        else
+            return requires { typename element_type::codec_type::value_set; };
+    }();
     static constexpr bool needs_memory = traits::elsewhere || [] {
         if constexpr (of_records)
             return layout_of<value_type>::needs_memory;

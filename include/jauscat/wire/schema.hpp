@@ -3,6 +3,8 @@
 #include <jauscat/wire/array.hpp>
 #include <jauscat/wire/bit_fields.hpp>
 #include <jauscat/wire/bit_set.hpp>
+#include <jauscat/wire/constant.hpp>
+#include <jauscat/wire/embedded.hpp>
 #include <jauscat/wire/field.hpp>
 #include <jauscat/wire/gated_by.hpp>
 #include <jauscat/wire/layout.hpp>
@@ -14,6 +16,8 @@
 #include <jauscat/wire/selected.hpp>
 #include <jauscat/wire/string.hpp>
 #include <jauscat/wire/tree.hpp>
+#include <jauscat/wire/value_set.hpp>
+#include <jauscat/wire/variant.hpp>
 #include <jauscat/wire/view.hpp> // a count inside a nested structure is read through a view
 
 namespace jauscat::wire {
@@ -55,6 +59,16 @@ struct items {
     template <auto Member, auto Children, std::size_t MaxDepth> using tree = wire::tree<Member, Children, MaxDepth>;
 
     template <auto Member, class Selector, class... Cases> using selected = wire::selected<Member, Selector, Cases...>;
+    template <auto Member, class Tag> using variant = wire::variant<Member, Tag>;
+    template <wire::label Name, class Codec, auto Value> using constant = wire::constant<Name, Codec, Value>;
+    template <auto Member, class Count> using embedded = wire::embedded<Member, Count>;
+    template <class Codec, class... Parts> using in_value_set = wire::in_value_set<Codec, Parts...>;
+    template <auto Member, std::size_t Width, class... Parts>
+    using bit_field_in_set = wire::bit_field_in_set<Member, Width, Parts...>;
+    template <auto Least, auto Most> using between = wire::between<Least, Most>;
+    template <auto... Values> using one_of = wire::one_of<Values...>;
+    template <wire::label Name, class Codec, std::size_t Least, std::size_t Most>
+    using count_between = wire::count_between<Name, Codec, Least, Most>;
     template <auto Tag, class Form = std::monostate> using when = wire::when<Tag, Form>;
     template <auto... Path> using by = wire::by<Path...>;
 

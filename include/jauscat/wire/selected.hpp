@@ -71,6 +71,13 @@ template <message Form> struct case_form<Form> {
         return inner::get(value, c, object_scope{value, here});
     }
 };
+/// Whether a structure of a case has value sets; codecs of cases have none.
+template <class Form> consteval bool form_checks_values() {
+    if constexpr (message<Form>)
+        return layout_of<Form>::checks_values;
+    else
+        return false;
+}
 template <> struct case_form<std::monostate> {
     using value_type = std::monostate;
     static constexpr std::size_t min_size = 0, max_size = 0;
@@ -171,6 +178,7 @@ template <auto Member, class Selector, class... Cases> struct selected {
     static constexpr std::size_t min_size = table<value_type, false>::min_size;
     static constexpr std::size_t max_size = table<value_type, false>::max_size;
     static constexpr bool of_variant = is_variant<value_type>;
+    static constexpr bool checks_values = (detail::form_checks_values<typename Cases::form>() || ...);
     static constexpr bool has_scaled = (requires { typename Cases::form::raw_codec; } || ...);
     static_assert(!(of_variant && has_scaled), "selected: scaled cases need a plain member");
     static_assert(

@@ -62,6 +62,7 @@ template <auto Member, class Count> struct counted_run : detail::octet_run<Membe
                   "string: the extent is neither fixed, fixed_or_rest, rest and zero_terminated nor a count (it needs "
                   "prefix_size, contextual, put, get and peek)");
     static constexpr bool contextual = Count::contextual;
+    static constexpr bool checks_values = requires { typename Count::value_set; };
     static constexpr std::size_t min_size = Count::prefix_size, max_size = unbounded;
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto&) noexcept {

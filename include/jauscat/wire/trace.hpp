@@ -4,6 +4,7 @@
 #include <jauscat/wire/array.hpp>
 #include <jauscat/wire/bit_fields.hpp>
 #include <jauscat/wire/diagnosis.hpp>
+#include <jauscat/wire/embedded.hpp>
 #include <jauscat/wire/gated_by.hpp>
 #include <jauscat/wire/nested.hpp>
 #include <jauscat/wire/presence.hpp>
@@ -11,6 +12,8 @@
 #include <jauscat/wire/selected.hpp>
 #include <jauscat/wire/string.hpp>
 #include <jauscat/wire/tree.hpp>
+#include <jauscat/wire/value_set.hpp>
+#include <jauscat/wire/variant.hpp>
 
 #include <algorithm>
 #include <span>
@@ -39,6 +42,13 @@ class path_trace {
         found_.error = error;
         return false;
     }
+    /// Whether the walk searches for a value outside its value set; else it does not look at value sets.
+    [[nodiscard]] constexpr bool checks_values() const noexcept { return checks_values_; }
+    /// Ends the walk at a value outside its value set. Returns false.
+    constexpr bool fail_value(std::string_view name) noexcept {
+        found_.field = name;
+        return fail(errc::outside_value_set);
+    }
     /// Why the walk ended; ok after the whole message.
     [[nodiscard]] constexpr errc error() const noexcept { return found_.error; }
     /// The part that the walk reached last, and `error`.
@@ -50,7 +60,12 @@ class path_trace {
     }
 
   protected:
+    constexpr explicit path_trace(bool checks_values = false) noexcept : checks_values_{checks_values} {}
+
     diagnosis found_{};
+
+  private:
+    bool checks_values_;
 };
 
 /// Traces decoding, and checks each part against the end of the bytes. If it searches for a given error, it skips
@@ -58,7 +73,7 @@ class path_trace {
 class decode_trace : public path_trace {
   public:
     constexpr explicit decode_trace(std::span<const std::byte> bytes, errc wanted = errc::ok) noexcept
-        : bytes_{bytes}, wanted_{wanted} {}
+        : path_trace{wanted == errc::outside_value_set}, bytes_{bytes}, wanted_{wanted} {}
 
     /// The next byte, and how many there are from it on.
     [[nodiscard]] constexpr const std::byte* at() const noexcept { return bytes_.data() + offset_; }
@@ -96,6 +111,8 @@ class decode_trace : public path_trace {
 /// Traces encoding, and counts the bytes.
 class encode_trace : public path_trace {
   public:
+    constexpr explicit encode_trace(errc wanted = errc::ok) noexcept : path_trace{wanted == errc::outside_value_set} {}
+
     /// Names the part at the next byte.
     constexpr void reach(std::string_view name, std::size_t needed) noexcept {
         found_.field = name;
@@ -108,6 +125,25 @@ class encode_trace : public path_trace {
 namespace detail {
 
 inline constexpr std::string_view presence_vector = "presence_vector";
+
+/// Passes an item whose values are in their value sets; else names the first one that is not.
+template <class Item> constexpr bool pass_values([[maybe_unused]] const auto& object, [[maybe_unused]] auto& trace) {
+    bool inside = true;
+    if constexpr (item_checks_values<Item> && !raw_object<decltype(object)>) {
+        if (trace.checks_values())
+            Item::visit(object, [&]<class Leaf>(Leaf, const auto& member) {
+                if (inside && !member_in_its_set<Leaf>(member)) inside = trace.fail_value(Leaf::name());
+            });
+    }
+    return inside;
+}
+/// The same for an element of a list or an array, and for a count.
+template <class Codec> constexpr bool pass_value([[maybe_unused]] const auto& value, [[maybe_unused]] auto& trace) {
+    if constexpr (requires { typename Codec::value_set; })
+        return !trace.checks_values() || Codec::value_set::contains(value) || trace.fail(errc::outside_value_set);
+    else
+        return true;
+}
 
 /// Walks over an item as a whole.
 template <class Item> struct walk_over_whole {
@@ -124,7 +160,7 @@ template <class Item> struct walk_over_whole {
             trace.advance(static_cast<std::size_t>(end.at - start.at));
         }
         trace.template passed<Item>(object);
-        return true;
+        return pass_values<Item>(object, trace);
     }
     static constexpr bool put(const auto& object, auto& trace, [[maybe_unused]] const auto& here) {
         trace.reach(item_label<Item>(), fixed_item<Item> ? Item::max_size : 0);
@@ -136,7 +172,7 @@ template <class Item> struct walk_over_whole {
             if (!trace.passes(c.error)) return false;
         }
         trace.advance(size);
-        return true;
+        return pass_values<Item>(object, trace);
     }
 
   private:
@@ -203,7 +239,7 @@ struct walk_over<bit_fields<Carrier, Fields...>> : walk_over_whole<bit_fields<Ca
         std::array<std::byte, item::max_size> out{};
         if (!trace.passes(item::put(object, out.data()))) return false;
         trace.advance(out.size());
-        return true;
+        return pass_values<item>(object, trace);
     }
 };
 
@@ -222,6 +258,7 @@ constexpr bool walk_get_elements(std::size_t size, auto& scratch, auto& trace, c
             if (!trace.passes(used::load(trace.at(), scratch))) return false;
             trace.advance(used::size);
             trace.template passed_element<Item>(scratch);
+            if (!pass_value<typename Item::element_type::codec_type>(scratch, trace)) return false;
         }
     }
     trace.leave();
@@ -238,6 +275,7 @@ template <class Item, bool Raw> constexpr bool walk_put_elements(const auto& ele
             trace.reach(trace.innermost(), used::size);
             std::array<std::byte, used::size> out{};
             if (!trace.passes(used::store(out.data(), elements[i]))) return false;
+            if (!pass_value<typename Item::element_type::codec_type>(elements[i], trace)) return false;
             trace.advance(used::size);
         }
     }
@@ -271,14 +309,14 @@ template <class Count> constexpr bool walk_get_count(std::size_t& elements, auto
         trace.advance(Count::prefix_size);
         trace.template passed_number<Count::prefix_size>(item_label<Count>(), elements);
     }
-    return true;
+    return pass_value<Count>(elements, trace);
 }
 template <class Count> constexpr bool walk_put_count(std::size_t elements, auto& trace, const auto& here) {
     if constexpr (Count::prefix_size != 0) trace.reach(item_label<Count>(), Count::prefix_size);
     std::array<std::byte, Count::prefix_size> out{};
     if (!trace.passes(Count::put(elements, {out.data(), errc::ok}, here).error)) return false;
     trace.advance(Count::prefix_size);
-    return true;
+    return pass_value<Count>(elements, trace);
 }
 
 template <auto Member, class Count, class Element> struct walk_over<repeated<Member, Count, Element>> {
@@ -441,6 +479,73 @@ template <auto Member, class Count> struct walk_over<counted_run<Member, Count>>
         if (!walk_put_count<Count>(size, trace, here)) return false;
         trace.advance(size);
         return true;
+    }
+};
+
+template <auto Member, class Tag> struct walk_over<variant<Member, Tag>> {
+    using item = variant<Member, Tag>;
+    using alternatives = typename item::alternatives;
+    static constexpr std::string_view index_name = "index";
+
+    static constexpr bool get(auto& object, auto& trace, const auto& here) {
+        trace.template enter<item>();
+        if (!trace.reach(index_name, Tag::size)) return false;
+        const std::size_t index = item::index_at(trace.at());
+        bool done = false;
+        const bool known = alternatives::with(index, [&]<std::size_t I, class Alternative>() {
+            trace.advance(Tag::size);
+            trace.template passed_number<Tag::size>(index_name, index);
+            [[maybe_unused]] auto& value = emplace_in(member_of<Member>(object)).template emplace<I>();
+            if constexpr (message<Alternative>)
+                done = walk_get_message<Alternative>(value, trace, root_of(here));
+            else
+                done = true;
+        });
+        if (!known) return trace.fail(errc::unknown_tag);
+        if (!done) return false;
+        trace.leave();
+        return true;
+    }
+    static constexpr bool put(const auto& object, auto& trace, const auto& here) {
+        const auto& value = value_of(member_of<Member>(object));
+        trace.template enter<item>();
+        trace.reach(index_name, Tag::size);
+        trace.advance(Tag::size);
+        bool done = false;
+        alternatives::with(value.index(), [&]<std::size_t I, class Alternative>() {
+            if constexpr (message<Alternative>)
+                done = walk_put_message<Alternative>(*std::get_if<I>(&value), trace, root_of(here));
+            else
+                done = true;
+        });
+        if (!done) return false;
+        trace.leave();
+        return true;
+    }
+};
+
+template <auto Member, class Count> struct walk_over<embedded<Member, Count>> {
+    using item = embedded<Member, Count>;
+    static constexpr bool get(auto& object, auto& trace, const auto& here) {
+        std::size_t size{};
+        if (!walk_get_count<Count>(size, trace, here) || !trace.reach(item::name(), size)) return false;
+        emplace_in(member_of<Member>(object)) = embedded_message{std::span{trace.at(), size}};
+        trace.advance(size);
+        trace.template passed<item>(object);
+        return true;
+    }
+    // A longer embedded message, which no packet carries, is not put: its own diagnose explains why it does not encode.
+    static constexpr std::size_t most_of_embedded = 4096;
+    static constexpr bool put(const auto& object, auto& trace, const auto& here) {
+        const embedded_message& inner = value_of(member_of<Member>(object));
+        if (!walk_put_count<Count>(inner.size(), trace, here)) return false;
+        trace.reach(item::name(), inner.size());
+        if (inner.size() <= most_of_embedded) {
+            std::array<std::byte, most_of_embedded> out{};
+            if (!trace.passes(inner.put(out.data()).error)) return false;
+        }
+        trace.advance(inner.size());
+        return pass_values<item>(object, trace);
     }
 };
 

@@ -41,6 +41,7 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
     static constexpr bool optional = false;
     static constexpr bool contextual = true;
     static constexpr bool needs_memory = true;
+    static constexpr bool checks_values = inner_layout::checks_values;
     static constexpr std::size_t min_size = inner_layout::min_size, max_size = unbounded;
     using raw_type = list<raw<node>>;
     static_assert(detail::has_type<Member, member_t<Member>, list<node>>, "tree: the member must be a list of nodes");

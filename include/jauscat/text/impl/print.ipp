@@ -145,6 +145,15 @@ class printer {
         std::size_t left = is.nodes.size(at);
         if (left != 0) node(std::string{name}, is, next, left);
     }
+    void lines(std::string_view name, const variant_form& is, const void* at) {
+        const alternative& held = is.alternatives[is.index(at)];
+        line(name, held.name);
+        if (held.how == nullptr) return;
+        if (const auto* const inner = std::get_if<structure_form>(&held.how->is))
+            below([&] { fields(*inner->of, is.get(at)); });
+        else
+            below([&] { value(held.name, *held.how, is.get(at)); });
+    }
     void lines(std::string_view, const choice_form&, const void*) {} // always a member, see member_value
 
     void node(const std::string& name, const tree_form& is, const std::byte*& next, std::size_t& left) {
