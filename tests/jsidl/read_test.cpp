@@ -204,6 +204,13 @@ TEST_CASE("what a schema cannot express is refused with the reason") {
               "has neither letters nor digits"));
 }
 
+TEST_CASE("a choice among numbers of which one is not scaled is refused") {
+    CHECK(has(complaint({fields(
+                  R"(<variable_field name="Speed"><type_and_units_field>
+<type_and_units_enum name="Raw" index="0" field_type="unsigned byte" field_units="one"/></type_and_units_field></variable_field>)")}),
+              "file1.xml:8: <type_and_units_enum>: Raw: a form that is not scaled"));
+}
+
 TEST_CASE("a variant may have no alternative, and its tags agree with its alternatives") {
     const auto variant = [](const std::string& last, const std::string& inside) {
         return service(message("<variant name=\"V\"><vtag_field min_count=\"0\" max_count=\"" + last +

@@ -36,15 +36,15 @@ std::optional<vector_seen> decode(service_version version, std::string_view hex)
 } // namespace
 
 TEST_CASE("bit 0 of SetLocalVector is the speed in version 1.0, and the altitude in 1.1") {
-    const auto old_peer = decode(service_version::v1_0, "01 ffff");
+    const auto old_peer = decode(service_version::v1_0, "0804 01 ffff");
     REQUIRE(old_peer);
     CHECK(old_peer->has_speed);
     CHECK_FALSE(old_peer->has_z);
-    CHECK_FALSE(decode(service_version::v1_1, "01 ffff")); // four bytes of altitude are missing
-    const auto new_peer = decode(service_version::v1_1, "01 ffff 00000000");
+    CHECK_FALSE(decode(service_version::v1_1, "0804 01 ffff")); // four bytes of altitude are missing
+    const auto new_peer = decode(service_version::v1_1, "0804 01 ffff 00000000");
     REQUIRE(new_peer);
     CHECK(new_peer->has_z);
-    const auto nothing = decode(service_version::v1_0, "00");
+    const auto nothing = decode(service_version::v1_0, "0804 00");
     REQUIRE(nothing);
     CHECK_FALSE(nothing->has_speed);
 }

@@ -66,8 +66,8 @@ TEST_CASE("a message that several services define is one type") {
     const auto two = sample::service(sample::message(record("A", "x")), "",
                                      R"(name="Lidar" id="urn:acme:jss:survey:Lidar" version="1.0")");
     const auto made = headers_of({one, two});
-    CHECK(has(made.at("survey/shared.hpp"),
-              "/// ReportDepth: code D101h, input of Lidar, Sonar.\nstruct report_depth {"));
+    CHECK(
+        has(made.at("survey/shared.hpp"), "/// ReportDepth: ID D101h, input of Lidar, Sonar.\nstruct report_depth {"));
     for (const auto* const name : {"survey/lidar.hpp", "survey/sonar.hpp"}) {
         CHECK(has(made.at(name), "#include <jauscat/schema/sae/survey/shared.hpp>"));
         CHECK(has(made.at(name), "using inputs = jaus::message_list<report_depth>;"));
@@ -94,6 +94,35 @@ TEST_CASE("a member with the name of its type, or of another one, is qualified")
     CHECK(has(text, "struct power_record {\n    std::uint8_t power{};"));
     CHECK(has(text, "    power_record power{};"));
     CHECK(has(text, "    survey::unit unit{};"));
+}
+
+TEST_CASE("value sets are joined, and left out where they are all that the type holds") {
+    const auto field = [](const std::string& name, const std::string& values) {
+        return "<fixed_field name=\"" + name + "\" field_type=\"unsigned byte\" field_units=\"one\"><value_set>" +
+               values + "</value_set></fixed_field>";
+    };
+    const auto range = [](const std::string& lower, const std::string& upper, const std::string& type) {
+        return "<value_range lower_limit=\"" + lower + "\" lower_limit_type=\"" + type + "\" upper_limit=\"" + upper +
+               "\" upper_limit_type=\"" + type + "\"/>";
+    };
+    const auto made = headers_of({sample::fields(
+        field("a", range("0", "255", "inclusive")) + field("b", range("0", "10", "exclusive")) +
+        field("c", range("0", "3", "inclusive") + range("4", "6", "inclusive") + range("9", "9", "inclusive")))});
+    const auto& text = made.at("survey/sonar.hpp");
+    CHECK(has(text, "field<&T::a, u8>"));
+    CHECK(has(text, "field<&T::b, in_value_set<u8, between<1, 9>>>"));
+    CHECK(has(text, "field<&T::c, in_value_set<u8, between<0, 6>, one_of<9>>>"));
+}
+
+TEST_CASE("alternatives that are one structure are refused") {
+    const auto read = sample::read({sample::service(
+        sample::message("<variant name=\"V\"><vtag_field max_count=\"1\" field_type_unsigned=\"unsigned byte\"/>" +
+                        record("A", "x") + record("A", "x") + "</variant>"))});
+    CHECK_FALSE(read); // of one name
+    const auto nested = sample::read({sample::service(
+        sample::message("<variant name=\"V\"><vtag_field max_count=\"1\" field_type_unsigned=\"unsigned byte\"/>" +
+                        record("a_b", "x") + record("aB", "x") + "</variant>"))});
+    CHECK_FALSE(nested);
 }
 
 TEST_CASE("lists have the capacity that the user chooses") {

@@ -19,8 +19,8 @@ inline namespace JAUSCAT_WAY {
 [[nodiscard]] JAUSCAT_DECL std::string snake_case(std::string_view name);
 
 /// The name as an identifier. A name that begins with a digit has `prefix` before it, a keyword `_` and `prefix` behind
-/// it: with the prefix "value", `128x96 (sqcif)` is value_128x96_sqcif and `False` false_value. Empty without letters
-/// and digits.
+/// it: with the prefix "value", `128x96 (sqcif)` is value_128x96_sqcif and `False` false_value. With the prefix "field"
+/// a keyword has `_` alone, which text output drops. Empty without letters and digits.
 [[nodiscard]] JAUSCAT_DECL std::string identifier(std::string_view name, std::string_view prefix);
 
 /// The enumerators of a value set, in its order. Names that several values have end with their value: reserved_0,

@@ -137,9 +137,9 @@ class schema_plan {
     static std::vector<std::string> members_of(const element& of) {
         switch (of.kind) {
         case kind::list: return {"elements"};
-        case kind::variant: return {"tag", "value"};
-        case kind::choice: return {"form", "value"};
-        case kind::formatted_blob: return {"format", "value"};
+        case kind::variant: return {"value"};
+        case kind::choice: return {"index", "value"};
+        case kind::formatted_blob: return {"format", "data"};
         default: break;
         }
         std::vector<std::string> names;
@@ -189,8 +189,10 @@ class schema_plan {
             return;
         case kind::bits:
         case kind::choice:
-        case kind::formatted_blob:
-        case kind::variant: break;
+        case kind::formatted_blob: break;
+        case kind::variant:
+            if (!of.children.empty()) return collect_alternatives(of, into, std::move(context));
+            break;
         case kind::record:
         case kind::sequence:
             if (is_body) return collect_children(of, into, context);
@@ -204,8 +206,6 @@ class schema_plan {
             add_enumeration(of, name + "_form", scalar::u8, indices(of, &element::name), made.parts, context);
         else if (of.kind == kind::formatted_blob)
             add_enumeration(of, name + "_format", scalar::u8, indices(of, &element::format), made.parts, context);
-        else if (of.kind == kind::variant)
-            for (const auto& each : of.children) collect_inner(each, made.parts, context);
         else
             collect_children(of, made.parts, context);
     }
@@ -216,10 +216,16 @@ class schema_plan {
         context.push_back(identifier(list.name, "type"));
         collect_inner(list.children.front(), into, context);
     }
-    /// An element of a list or an alternative: a list needs a structure there.
+    void collect_alternatives(const element& variant, std::vector<part*>& into, std::vector<std::string> context) {
+        context.push_back(identifier(variant.name, "type"));
+        for (const auto& each : variant.children) collect_inner(each, into, context);
+    }
+    /// An element of a list or an alternative: a list or variant needs a structure there.
     void collect_inner(const element& of, std::vector<part*>& into, const std::vector<std::string>& context) {
         if (of.kind == kind::list)
             collect_element(of, add_structure(of, into, context).parts, context);
+        else if (of.kind == kind::variant && !of.children.empty())
+            collect_alternatives(of, add_structure(of, into, context).parts, context);
         else
             collect(of, into, context);
     }

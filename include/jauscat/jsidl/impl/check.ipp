@@ -134,9 +134,10 @@ class service_check {
         if (each.scale && (is_floating(each.type) || each.type > scalar::u64))
             fail(errc::unsupported, each,
                  "a scaled number in a signed or floating-point type: implementations disagree on its value");
-        if (each.scale && !each.names.empty()) fail(errc::unsupported, each, "a scaled number with named values");
-        if (is_floating(each.type) && !each.names.empty())
-            fail(errc::unsupported, each, "a floating-point number with named values");
+        const bool has_values = !each.names.empty() || !each.ranges.empty();
+        if (has_values && (each.scale || is_floating(each.type)))
+            fail(errc::unsupported, each, "a value set of a number that is no integer on its own");
+        if (each.kind == kind::choice_form && !each.scale) fail(errc::unsupported, each, "a form that is not scaled");
         check_names(each, bits_of(each.type));
     }
     void check_names(const element& each, std::size_t bits) const {

@@ -63,7 +63,8 @@ JAUSCAT_DECL std::string identifier(std::string_view name, std::string_view pref
     auto made = snake_case(name);
     if (made.empty()) return made;
     if (detail::is_number(made.front())) return std::string{prefix} + '_' + made;
-    if (std::ranges::find(detail::keywords, made) != detail::keywords.end()) return made + '_' + std::string{prefix};
+    if (std::ranges::find(detail::keywords, made) != detail::keywords.end())
+        return made + '_' + std::string{prefix == "field" ? "" : prefix};
     return made;
 }
 

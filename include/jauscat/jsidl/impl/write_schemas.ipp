@@ -198,7 +198,7 @@ class set_writer {
         std::ranges::sort(sorted);
         std::vector<std::string> names;
         for (const auto& [id, name] : sorted) names.push_back(name);
-        made += '\n' + opened() + "\n/// Each message once, by its code.\n";
+        made += '\n' + opened() + "\n/// Each message once, by its ID.\n";
         made += list_of("messages", names, 0);
         return made + closed();
     }
@@ -279,9 +279,7 @@ class set_writer {
         case kind::choice: return of.name + ": a number in the form that is named before it.";
         case kind::formatted_blob: return of.name + ": octets in the format that is named before them.";
         case kind::list: return "List " + of.name + '.';
-        case kind::variant:
-            return "Variant " + of.name +
-                   (of.children.empty() ? ": the tag alone." : ": `tag` is the number of the alternative.");
+        case kind::variant: return "Variant " + of.name + (of.children.empty() ? ", which has no alternative." : ".");
         case kind::sequence: return "Sequence " + of.name + '.';
         default: return "Record " + of.name + '.';
         }
@@ -299,7 +297,15 @@ class set_writer {
             members.push_back(std::move(made));
             break;
         }
-        case kind::variant: write_variant(of, members, items); break;
+        case kind::variant:
+            if (of.children.empty()) {
+                items.push_back({.head = "constant<\"index\", " + std::string{codec_name(of.type)} + ", 0>"});
+            } else {
+                auto made = variant_member(of, "value");
+                items.push_back(made.item);
+                members.push_back(std::move(made));
+            }
+            break;
         case kind::choice: write_choice(of, members, items); break;
         case kind::formatted_blob: write_formatted(of, members, items); break;
         case kind::bits: write_bits(of, members, items); break;
@@ -323,15 +329,15 @@ class set_writer {
             }
         }
         out += '\n' + message_title(each);
-        std::string facts =
-            "        static constexpr std::uint16_t command_code = 0x" + hexadecimal(each.of->id) + ";\n";
+        items.insert(items.begin(), {.head = "constant<\"message_id\", u16le, message_id>"});
+        std::string facts = "        static constexpr std::uint16_t message_id = 0x" + hexadecimal(each.of->id) + ";\n";
         facts += std::string{"        static constexpr bool is_command = "} + (each.of->is_command ? "true" : "false") +
                  ", is_deprecated = " + (each.of->is_deprecated ? "true" : "false") + ";\n";
         write_type(out, facts, members, items);
     }
     static std::string message_title(const planned_message& each) {
         std::string made;
-        std::string line = "/// " + each.of->name + ": code " + hexadecimal(each.of->id) + 'h' +
+        std::string line = "/// " + each.of->name + ": ID " + hexadecimal(each.of->id) + 'h' +
                            (each.of->is_command ? ", command" : "") + (each.of->is_deprecated ? ", deprecated" : "");
         const auto add = [&](std::string word) {
             if (line.size() + 2 + word.size() > line_length) { // and a full stop
@@ -375,13 +381,9 @@ class set_writer {
         if (equal.size() - 1 > line_length)
             equal = "    friend constexpr bool operator==(\n        " + type + ",\n        " + type + ") = default;\n";
         out += equal + "\n    struct schema : " + library_ + "wire::items {\n" + facts;
-        if (items.empty()) {
-            out += "        using type = layout<>;\n";
-        } else {
-            out += "        using T = " + owner_ + ";\n";
-            term layout{.head = "using type = layout", .arguments = items, .in_lines = items.size() > 1};
-            layout.print(out, 8, ";");
-        }
+        if (!members.empty()) out += "        using T = " + owner_ + ";\n";
+        const term layout{.head = "using type = layout", .arguments = items, .in_lines = items.size() > 1};
+        layout.print(out, 8, ";");
         out += "    };\n};\n";
     }
     /// A declaration that one line does not hold.
@@ -400,9 +402,9 @@ class set_writer {
         member_names_.clear();
         switch (of.kind) {
         case kind::list: member_names_ = {"elements"}; return;
-        case kind::variant: member_names_ = {"tag", "value"}; return;
-        case kind::choice: member_names_ = {"form", "value"}; return;
-        case kind::formatted_blob: member_names_ = {"format", "value"}; return;
+        case kind::variant: member_names_ = {"value"}; return;
+        case kind::choice: member_names_ = {"index", "value"}; return;
+        case kind::formatted_blob: member_names_ = {"format", "data"}; return;
         default: break;
         }
         for (const auto& each : of.children) member_names_.insert(member_name(each, owner_));
@@ -451,47 +453,38 @@ class set_writer {
                 {.type = each.names.empty() ? std::string{type_name(unsigned_of(width))} : enumeration(each),
                  .name = member_name(each, owner_),
                  .comment = limits_of(each)});
-            made.push_back({.head = "bit_field<&T::" + members.back().name + ", " + std::to_string(width) + '>'});
+            const auto values = value_set(each, 0, std::ldexp(1.0, static_cast<int>(width)) - 1);
+            made.push_back({.head = (values.empty() ? "bit_field<&T::" : "bit_field_in_set<&T::") +
+                                    members.back().name + ", " + std::to_string(width) + values + '>'});
         }
         reserve(static_cast<std::uint32_t>(bits_of(of.type)));
         items.push_back({.head = "bit_fields", .arguments = std::move(made), .in_lines = true, .kept = 1});
     }
-    void write_variant(const element& of, std::vector<member>& members, std::vector<term>& items) const {
-        members.push_back({.type = std::string{type_name(of.type)}, .name = "tag"});
-        items.push_back({.head = "field<&T::tag, " + std::string{codec_name(of.type)} + '>'});
-        if (of.children.empty()) {
-            members.back().comment = "0";
-            return;
-        }
+    member variant_member(const element& of, const std::string& name) const {
         std::string types;
         std::set<std::string> different;
-        std::vector<term> cases{{.head = "&T::value"}, {.head = "by<&T::tag>"}};
         for (const auto& each : of.children) {
-            const auto name = structure(each);
-            if (different.insert(name).second) types += (types.empty() ? "" : ", ") + name;
-            cases.push_back({.head = "when<" + std::to_string(cases.size() - 2) + ", " + name + '>'});
+            const auto alternative = structure(each);
+            if (!different.insert(alternative).second)
+                fail(errc::unsupported, plan_.services.front()->source, of.line, name_of(of.kind),
+                     of.name + ": two alternatives are the same structure, " + alternative);
+            types += (types.empty() ? "" : ", ") + alternative;
         }
-        members.push_back({.type = "std::variant<" + types + '>', .name = "value"});
-        items.push_back({.head = "selected", .arguments = std::move(cases), .in_lines = true, .kept = 2});
+        return {.type = "std::variant<" + types + '>',
+                .name = name,
+                .item = {.head = "variant<&T::" + name + ", " + std::string{codec_name(of.type)} + '>'}};
     }
-    void write_choice(const element& of, std::vector<member>& members, std::vector<term>& items) {
+    void write_choice(const element& of, std::vector<member>& members, std::vector<term>& items) const {
         const auto form = enumeration(of);
-        members.push_back({.type = form, .name = "form"});
-        items.push_back({.head = "field<&T::form, enumeration<" + form + ", u8>>"});
+        members.push_back({.type = form, .name = "index"});
+        items.push_back({.head = "field<&T::index, enumeration<" + form + ", u8>>"});
         std::vector<named_value> values;
-        bool is_scaled = true;
-        for (const auto& each : of.children) {
-            values.push_back({each.index, each.name});
-            is_scaled = is_scaled && each.scale.has_value();
-        }
+        for (const auto& each : of.children) values.push_back({each.index, each.name});
         const auto names = enumerators(values);
-        std::string type = "double";
-        if (!is_scaled) type = std::string{type_name(of.children.front().type)};
-        std::vector<term> cases{{.head = "&T::value"}, {.head = "by<&T::form>"}};
+        std::vector<term> cases{{.head = "&T::value"}, {.head = "by<&T::index>"}};
         std::string comment;
         for (std::size_t i = 0; i != names.size(); ++i) {
             const auto& each = of.children[i];
-            if (!is_scaled && (each.scale || each.type != of.children.front().type)) mixed_forms(of);
             cases.push_back({.head = "when<" + form + "::" + names[i] + ", " + codec(each) + '>'});
             const auto one = limits_of(each);
             if (comment.empty())
@@ -499,23 +492,68 @@ class set_writer {
             else if (comment != one)
                 comment = "as its form says";
         }
-        members.push_back({.type = type, .name = "value", .comment = comment});
+        members.push_back({.type = "double", .name = "value", .comment = comment});
         items.push_back({.head = "selected", .arguments = std::move(cases), .in_lines = true, .kept = 2});
-    }
-    [[noreturn]] void mixed_forms(const element& of) const {
-        fail(errc::unsupported, plan_.services.front()->source, of.line, name_of(of.kind),
-             of.name + ": forms of different types, of which not all are scaled");
     }
     void write_formatted(const element& of, std::vector<member>& members, std::vector<term>& items) const {
         const auto format = enumeration(of);
         members.push_back({.type = format, .name = "format"});
-        items.push_back({.head = "field<&T::format, enumeration<" + format + ", u8>>"});
-        members.push_back({.type = library_ + "wire::blob", .name = "value", .comment = count_of(of, "octets")});
-        items.push_back({.head = "bytes<&T::value, " + count("value_size", of) + '>'});
+        const bool has_message = std::ranges::any_of(of.children, is_message, &element::format);
+        std::vector<named_value> formats;
+        for (const auto& each : of.children) formats.push_back({each.index, each.format});
+        const element values{.kind = kind::number, .type = scalar::u8, .names = std::move(formats)};
+        items.push_back({.head = "field<&T::format, " + with_values("enumeration<" + format + ", u8>", values) + '>'});
+        members.push_back({.type = library_ + (has_message ? "wire::embedded_message" : "wire::blob"),
+                           .name = "data",
+                           .comment = count_of(of, "octets")});
+        items.push_back(
+            {.head = (has_message ? "embedded<&T::data, " : "bytes<&T::data, ") + count("data_size", of) + '>'});
     }
+    static bool is_message(const std::string& format) { return format == "JAUS MESSAGE"; }
 
+    /// A count, with its limits where they are narrower than its type.
     static std::string count(const std::string& name, const element& of) {
-        return "count<\"" + name + "\", " + std::string{codec_name(of.type)} + '>';
+        const auto head = '"' + name + "\", " + std::string{codec_name(of.type)};
+        if (of.min_count == 0 && of.max_count == most_of(of.type)) return "count<" + head + '>';
+        return "count_between<" + head + ", " + std::to_string(of.min_count) + ", " + std::to_string(of.max_count) +
+               '>';
+    }
+    /// The value set as arguments of a template: `, between<0, 5>, one_of<9>`; empty for all numbers from `least` to
+    /// `most`.
+    static std::string value_set(const element& of, double least, double most) {
+        std::vector<std::pair<double, double>> ranges;
+        for (const auto& each : of.names)
+            ranges.emplace_back(static_cast<double>(each.value), static_cast<double>(each.value));
+        for (const auto& each : of.ranges) {
+            const double first = each.with_min ? std::ceil(each.min) : std::floor(each.min) + 1;
+            const double last = each.with_max ? std::floor(each.max) : std::ceil(each.max) - 1;
+            ranges.emplace_back(std::max(first, least), std::min(last, most));
+        }
+        std::erase_if(ranges, [](const auto& each) { return each.first > each.second; });
+        std::ranges::sort(ranges);
+        std::vector<std::pair<double, double>> joined;
+        for (const auto& each : ranges) {
+            if (!joined.empty() && each.first <= joined.back().second + 1)
+                joined.back().second = std::max(joined.back().second, each.second);
+            else
+                joined.push_back(each);
+        }
+        if (joined.empty() || joined.front() == std::pair{least, most}) return {};
+        std::string made, single;
+        for (const auto& [first, last] : joined) {
+            if (first == last)
+                single += (single.empty() ? "" : ", ") + decimal(first);
+            else
+                made += ", between<" + decimal(first) + ", " + decimal(last) + '>';
+        }
+        return made + (single.empty() ? "" : ", one_of<" + single + '>');
+    }
+    static std::string with_values(const std::string& codec, const element& of) {
+        const auto bits = static_cast<int>(bits_of(of.type));
+        const bool is_signed = of.type > scalar::u64;
+        const double most = std::ldexp(1.0, is_signed ? bits - 1 : bits) - 1;
+        const auto values = value_set(of, is_signed ? -most - 1 : 0, most);
+        return values.empty() ? codec : "in_value_set<" + codec + values + '>';
     }
     static std::string count_of(const element& of, const std::string& what) {
         return (of.min_count == 0 ? "up to " : std::to_string(of.min_count) + " to ") + std::to_string(of.max_count) +
@@ -534,9 +572,10 @@ class set_writer {
     std::string codec(const element& of) const {
         const std::string plain{codec_name(of.type)};
         if (of.scale) return "scaled<" + plain + ", " + unit_name(range_name(of.unit, *of.scale)) + '>';
-        if (!of.names.empty()) return "enumeration<" + enumeration(of) + ", " + plain + '>';
-        if (of.unit != "one") return "in_units<" + plain + ", " + unit_name(identifier(of.unit, "unit")) + '>';
-        return plain;
+        if (!of.names.empty()) return with_values("enumeration<" + enumeration(of) + ", " + plain + '>', of);
+        if (of.unit != "one")
+            return with_values("in_units<" + plain + ", " + unit_name(identifier(of.unit, "unit")) + '>', of);
+        return with_values(plain, of);
     }
     std::string number_type(const element& of) const {
         if (of.scale) return "double";
@@ -550,7 +589,7 @@ class set_writer {
         return {.type = type,
                 .name = name,
                 .comment = count_of(of, "elements"),
-                .item = {.head = "repeated<&T::" + name + ", " + count(name + "_count", of) + '>'}};
+                .item = {.head = "repeated<&T::" + name + ", " + count("number_of_" + name, of) + '>'}};
     }
     member member_for(const element& of) const {
         member made{.name = member_name(of, owner_)};
@@ -574,9 +613,9 @@ class set_writer {
             made.item = with_name("string", count(made.name + "_size", of));
             break;
         case kind::blob:
-            made.type = library_ + "wire::blob";
+            made.type = library_ + (is_message(of.format) ? "wire::embedded_message" : "wire::blob");
             made.comment = of.format + ", " + count_of(of, "octets");
-            made.item = with_name("bytes", count(made.name + "_size", of));
+            made.item = with_name(is_message(of.format) ? "embedded" : "bytes", count(made.name + "_size", of));
             break;
         case kind::array: {
             const auto& inner = of.children.front();
@@ -594,6 +633,12 @@ class set_writer {
             break;
         }
         case kind::list: made = list_member(of, made.name); break;
+        case kind::variant:
+            if (!of.children.empty()) {
+                made = variant_member(of, made.name);
+                break;
+            }
+            [[fallthrough]];
         default:
             made.type = structure(of);
             made.item = with_name("nested", "");

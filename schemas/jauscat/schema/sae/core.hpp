@@ -14,7 +14,7 @@
 // clang-format off
 namespace jauscat::sae::core {
 
-/// Each message once, by its code.
+/// Each message once, by its ID.
 using messages = jaus::message_list<
     set_authority,
     shutdown,

@@ -16,7 +16,7 @@
 // clang-format off
 namespace jauscat::sae::environment_sensing {
 
-/// Each message once, by its code.
+/// Each message once, by its ID.
 using messages = jaus::message_list<
     confirm_sensor_configuration,
     set_range_sensor_configuration,

@@ -27,7 +27,7 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// Each message once, by its code.
+/// Each message once, by its ID.
 using messages = jaus::message_list<
     set_joint_effort,
     set_joint_positions,

@@ -24,7 +24,7 @@
 // clang-format off
 namespace jauscat::sae::mobility {
 
-/// Each message once, by its code.
+/// Each message once, by its ID.
 using messages = jaus::message_list<
     set_global_pose,
     set_wrench_effort,

@@ -15,7 +15,7 @@
 // clang-format off
 namespace jauscat::sae::ugv {
 
-/// Each message once, by its code.
+/// Each message once, by its ID.
 using messages = jaus::message_list<
     set_ackermann_configuration,
     set_skid_steer_effort,

@@ -1,6 +1,5 @@
 // Versions 1.0 and 1.1 of SAE core and mobility: which messages version 1.0 lacks, and which have other bytes there.
 #pragma once
-#include <jauscat/schema/jaus/command_code.hpp>
 #include <jauscat/schema/jaus/message_list.hpp>
 #include <jauscat/schema/sae/core.hpp>
 #include <jauscat/schema/sae/mobility.hpp>
@@ -41,15 +40,15 @@ template <class Message>
 inline constexpr bool is_new_in_1_1 = detail::is_listed<Message>(detail::new_in_core_1_1{}) ||
                                       detail::is_listed<Message>(core::services::list_manager::messages{});
 
-/// Calls `use.template operator()<Message>()` with the type that a peer of this version has for a command code; false,
-/// and no call, for a code that is in no message of the list, or that version 1.0 lacks.
+/// Calls `use.template operator()<Message>()` with the type that a peer of this version has for a message ID; false,
+/// and no call, for an ID of no message of the list, or that version 1.0 lacks.
 ///
-///     sae::with_message(sae::mobility::messages{}, sae::service_version::v1_0, code, [&]<class Message>() {
+///     sae::with_message(sae::mobility::messages{}, sae::service_version::v1_0, id, [&]<class Message>() {
 ///         Message received{};
-///         if (wire::decode(received, body)) handle(received);
+///         if (wire::decode(received, payload)) handle(received);
 ///     });
 template <class... Messages>
-constexpr bool with_message(jaus::message_list<Messages...>, service_version version, std::uint16_t command_code,
+constexpr bool with_message(jaus::message_list<Messages...>, service_version version, std::uint16_t message_id,
                             auto&& use) {
     const auto call = [&]<class Message>() {
         if (version == service_version::v1_1) {
@@ -63,7 +62,7 @@ constexpr bool with_message(jaus::message_list<Messages...>, service_version ver
             return true;
         }
     };
-    return ((jaus::command_code_of<Messages> == command_code && call.template operator()<Messages>()) || ...);
+    return ((Messages::schema::message_id == message_id && call.template operator()<Messages>()) || ...);
 }
 
 } // namespace jauscat::sae

@@ -8,7 +8,7 @@
 // clang-format off
 namespace jauscat::sae_1_0::mobility {
 
-/// Each message once, by its code.
+/// Each message once, by its ID.
 using messages = jaus::message_list<set_local_vector, report_local_vector>;
 
 } // namespace jauscat::sae_1_0::mobility

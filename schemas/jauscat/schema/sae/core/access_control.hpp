@@ -15,77 +15,81 @@
 // clang-format off
 namespace jauscat::sae::core {
 
-/// RequestControl: code 000Dh, command, input of AccessControl.
+/// RequestControl: ID 000Dh, command, input of AccessControl.
 struct request_control {
     std::uint8_t authority_code{}; ///< 0 to 255
     friend constexpr bool operator==(const request_control&, const request_control&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x000D;
+        static constexpr std::uint16_t message_id = 0x000D;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = request_control;
-        using type = layout<field<&T::authority_code, u8>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::authority_code, u8>>;
     };
 };
 
-/// ReleaseControl: code 000Eh, command, input of AccessControl.
+/// ReleaseControl: ID 000Eh, command, input of AccessControl.
 struct release_control {
     friend constexpr bool operator==(const release_control&, const release_control&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x000E;
+        static constexpr std::uint16_t message_id = 0x000E;
         static constexpr bool is_command = true, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// QueryControl: code 200Dh, input of AccessControl.
+/// QueryControl: ID 200Dh, input of AccessControl.
 struct query_control {
     friend constexpr bool operator==(const query_control&, const query_control&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x200D;
+        static constexpr std::uint16_t message_id = 0x200D;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// QueryAuthority: code 2001h, input of AccessControl.
+/// QueryAuthority: ID 2001h, input of AccessControl.
 struct query_authority {
     friend constexpr bool operator==(const query_authority&, const query_authority&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2001;
+        static constexpr std::uint16_t message_id = 0x2001;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// SetAuthority: code 0001h, command, input of AccessControl.
+/// SetAuthority: ID 0001h, command, input of AccessControl.
 struct set_authority {
     std::uint8_t authority_code{}; ///< 0 to 255
     friend constexpr bool operator==(const set_authority&, const set_authority&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0001;
+        static constexpr std::uint16_t message_id = 0x0001;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_authority;
-        using type = layout<field<&T::authority_code, u8>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::authority_code, u8>>;
     };
 };
 
-/// QueryTimeout: code 2003h, input of AccessControl.
+/// QueryTimeout: ID 2003h, input of AccessControl.
 struct query_timeout {
     friend constexpr bool operator==(const query_timeout&, const query_timeout&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2003;
+        static constexpr std::uint16_t message_id = 0x2003;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportControl: code 400Dh, output of AccessControl.
+/// ReportControl: ID 400Dh, output of AccessControl.
 struct report_control {
     std::uint16_t subsystem_id{};
     std::uint8_t node_id{};
@@ -94,10 +98,11 @@ struct report_control {
     friend constexpr bool operator==(const report_control&, const report_control&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x400D;
+        static constexpr std::uint16_t message_id = 0x400D;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_control;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::subsystem_id, u16le>,
             field<&T::node_id, u8>,
             field<&T::component_id, u8>,
@@ -111,16 +116,18 @@ enum class reject_control_response_code : std::uint8_t {
     not_available = 1,
 };
 
-/// RejectControl: code 0010h, output of AccessControl.
+/// RejectControl: ID 0010h, output of AccessControl.
 struct reject_control {
     reject_control_response_code response_code{};
     friend constexpr bool operator==(const reject_control&, const reject_control&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0010;
+        static constexpr std::uint16_t message_id = 0x0010;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = reject_control;
-        using type = layout<field<&T::response_code, enumeration<reject_control_response_code, u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::response_code, in_value_set<enumeration<reject_control_response_code, u8>, between<0, 1>>>>;
     };
 };
 
@@ -131,42 +138,48 @@ enum class confirm_control_response_code : std::uint8_t {
     insufficient_authority = 2,
 };
 
-/// ConfirmControl: code 000Fh, output of AccessControl.
+/// ConfirmControl: ID 000Fh, output of AccessControl.
 struct confirm_control {
     confirm_control_response_code response_code{};
     friend constexpr bool operator==(const confirm_control&, const confirm_control&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x000F;
+        static constexpr std::uint16_t message_id = 0x000F;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = confirm_control;
-        using type = layout<field<&T::response_code, enumeration<confirm_control_response_code, u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::response_code, in_value_set<enumeration<confirm_control_response_code, u8>, between<0, 2>>>>;
     };
 };
 
-/// ReportAuthority: code 4001h, output of AccessControl.
+/// ReportAuthority: ID 4001h, output of AccessControl.
 struct report_authority {
     std::uint8_t authority_code{}; ///< 0 to 255
     friend constexpr bool operator==(const report_authority&, const report_authority&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4001;
+        static constexpr std::uint16_t message_id = 0x4001;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_authority;
-        using type = layout<field<&T::authority_code, u8>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::authority_code, u8>>;
     };
 };
 
-/// ReportTimeout: code 4003h, output of AccessControl.
+/// ReportTimeout: ID 4003h, output of AccessControl.
 struct report_timeout {
     core::timeout timeout{}; ///< second, 1 to 255
     friend constexpr bool operator==(const report_timeout&, const report_timeout&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4003;
+        static constexpr std::uint16_t message_id = 0x4003;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_timeout;
-        using type = layout<field<&T::timeout, enumeration<core::timeout, u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::timeout, enumeration<core::timeout, u8>>>;
     };
 };
 

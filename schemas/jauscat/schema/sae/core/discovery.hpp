@@ -24,16 +24,18 @@ enum class query_identification_query_type : std::uint8_t {
     component_identification = 4,
 };
 
-/// QueryIdentification: code 2B00h, input of Discovery.
+/// QueryIdentification: ID 2B00h, input of Discovery.
 struct query_identification {
     query_identification_query_type query_type{}; ///< 5 to 255
     friend constexpr bool operator==(const query_identification&, const query_identification&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2B00;
+        static constexpr std::uint16_t message_id = 0x2B00;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_identification;
-        using type = layout<field<&T::query_type, enumeration<query_identification_query_type, u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::query_type, enumeration<query_identification_query_type, u8>>>;
     };
 };
 
@@ -45,27 +47,29 @@ enum class query_configuration_query_type : std::uint8_t {
     node_identification = 3,
 };
 
-/// QueryConfiguration: code 2B01h, input of Discovery.
+/// QueryConfiguration: ID 2B01h, input of Discovery.
 struct query_configuration {
     query_configuration_query_type query_type{}; ///< 4 to 255
     friend constexpr bool operator==(const query_configuration&, const query_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2B01;
+        static constexpr std::uint16_t message_id = 0x2B01;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_configuration;
-        using type = layout<field<&T::query_type, enumeration<query_configuration_query_type, u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::query_type, enumeration<query_configuration_query_type, u8>>>;
     };
 };
 
-/// QuerySubsystemList: code 2B02h, input of Discovery.
+/// QuerySubsystemList: ID 2B02h, input of Discovery.
 struct query_subsystem_list {
     friend constexpr bool operator==(const query_subsystem_list&, const query_subsystem_list&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2B02;
+        static constexpr std::uint16_t message_id = 0x2B02;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
@@ -115,20 +119,22 @@ struct query_services_node_seq {
         using T = query_services_node_seq;
         using type = layout<
             nested<&T::node_rec>,
-            repeated<&T::component_list, count<"component_list_count", u8>>>;
+            repeated<&T::component_list, count_between<"number_of_component_list", u8, 1, 255>>>;
     };
 };
 
-/// QueryServices: code 2B03h, input of Discovery.
+/// QueryServices: ID 2B03h, input of Discovery.
 struct query_services {
     wire::list<query_services_node_seq> node_list{}; ///< 1 to 255 elements
     friend constexpr bool operator==(const query_services&, const query_services&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2B03;
+        static constexpr std::uint16_t message_id = 0x2B03;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_services;
-        using type = layout<repeated<&T::node_list, count<"node_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::node_list, count_between<"number_of_node_list", u8, 1, 255>>>;
     };
 };
 
@@ -189,7 +195,7 @@ struct query_service_list_node_seq {
         using T = query_service_list_node_seq;
         using type = layout<
             nested<&T::node_rec>,
-            repeated<&T::component_list, count<"component_list_count", u8>>>;
+            repeated<&T::component_list, count_between<"number_of_component_list", u8, 1, 255>>>;
     };
 };
 
@@ -205,20 +211,22 @@ struct query_service_list_subsystem_seq {
         using T = query_service_list_subsystem_seq;
         using type = layout<
             nested<&T::subsystem_rec>,
-            repeated<&T::node_list, count<"node_list_count", u8>>>;
+            repeated<&T::node_list, count_between<"number_of_node_list", u8, 1, 255>>>;
     };
 };
 
-/// QueryServiceList: code 2B04h, input of Discovery.
+/// QueryServiceList: ID 2B04h, input of Discovery.
 struct query_service_list {
     wire::list<query_service_list_subsystem_seq> subsystem_list{}; ///< 1 to 65535 elements
     friend constexpr bool operator==(const query_service_list&, const query_service_list&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2B04;
+        static constexpr std::uint16_t message_id = 0x2B04;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_service_list;
-        using type = layout<repeated<&T::subsystem_list, count<"subsystem_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::subsystem_list, count_between<"number_of_subsystem_list", u16le, 1, 65535>>>;
     };
 };
 
@@ -238,16 +246,18 @@ struct service_rec {
     };
 };
 
-/// RegisterServices: code 0B00h, command, input of Discovery.
+/// RegisterServices: ID 0B00h, command, input of Discovery.
 struct register_services {
     wire::list<service_rec> service_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const register_services&, const register_services&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0B00;
+        static constexpr std::uint16_t message_id = 0x0B00;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = register_services;
-        using type = layout<repeated<&T::service_list, count<"service_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::service_list, count<"number_of_service_list", u8>>>;
     };
 };
 
@@ -271,7 +281,7 @@ enum class type : std::uint16_t {
     component = 60001,
 };
 
-/// ReportIdentification: code 4B00h, output of Discovery.
+/// ReportIdentification: ID 4B00h, output of Discovery.
 struct report_identification {
     report_identification_query_type query_type{}; ///< 5 to 255
     /// 10002 to 20000, 20002 to 30000, 30002 to 40000, 40002 to 50000, 50002 to 60000, 60002 to 65535
@@ -280,12 +290,13 @@ struct report_identification {
     friend constexpr bool operator==(const report_identification&, const report_identification&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4B00;
+        static constexpr std::uint16_t message_id = 0x4B00;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_identification;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::query_type, enumeration<report_identification_query_type, u8>>,
-            field<&T::type, enumeration<core::type, u16le>>,
+            field<&T::type, in_value_set<enumeration<core::type, u16le>, between<10001, 65535>, one_of<0>>>,
             string<&T::identification, count<"identification_size", u8>>>;
     };
 };
@@ -331,20 +342,22 @@ struct report_configuration_node_seq {
         using T = report_configuration_node_seq;
         using type = layout<
             nested<&T::node_rec>,
-            repeated<&T::component_list, count<"component_list_count", u8>>>;
+            repeated<&T::component_list, count<"number_of_component_list", u8>>>;
     };
 };
 
-/// ReportConfiguration: code 4B01h, output of Discovery.
+/// ReportConfiguration: ID 4B01h, output of Discovery.
 struct report_configuration {
     wire::list<report_configuration_node_seq> node_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const report_configuration&, const report_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4B01;
+        static constexpr std::uint16_t message_id = 0x4B01;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_configuration;
-        using type = layout<repeated<&T::node_list, count<"node_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::node_list, count<"number_of_node_list", u8>>>;
     };
 };
 
@@ -366,16 +379,18 @@ struct report_subsystem_list_subsystem_rec {
     };
 };
 
-/// ReportSubsystemList: code 4B02h, output of Discovery.
+/// ReportSubsystemList: ID 4B02h, output of Discovery.
 struct report_subsystem_list {
     wire::list<report_subsystem_list_subsystem_rec> subsystem_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const report_subsystem_list&, const report_subsystem_list&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4B02;
+        static constexpr std::uint16_t message_id = 0x4B02;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_subsystem_list;
-        using type = layout<repeated<&T::subsystem_list, count<"subsystem_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::subsystem_list, count<"number_of_subsystem_list", u8>>>;
     };
 };
 
@@ -416,7 +431,7 @@ struct component_seq {
         using T = component_seq;
         using type = layout<
             nested<&T::component_rec>,
-            repeated<&T::service_list, count<"service_list_count", u8>>>;
+            repeated<&T::service_list, count<"number_of_service_list", u8>>>;
     };
 };
 
@@ -430,20 +445,22 @@ struct report_services_node_seq {
         using T = report_services_node_seq;
         using type = layout<
             nested<&T::node_rec>,
-            repeated<&T::component_list, count<"component_list_count", u8>>>;
+            repeated<&T::component_list, count<"number_of_component_list", u8>>>;
     };
 };
 
-/// ReportServices: code 4B03h, output of Discovery.
+/// ReportServices: ID 4B03h, output of Discovery.
 struct report_services {
     wire::list<report_services_node_seq> node_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const report_services&, const report_services&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4B03;
+        static constexpr std::uint16_t message_id = 0x4B03;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_services;
-        using type = layout<repeated<&T::node_list, count<"node_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::node_list, count<"number_of_node_list", u8>>>;
     };
 };
 
@@ -485,7 +502,7 @@ struct report_service_list_node_seq {
         using T = report_service_list_node_seq;
         using type = layout<
             nested<&T::node_rec>,
-            repeated<&T::component_list, count<"component_list_count", u8>>>;
+            repeated<&T::component_list, count<"number_of_component_list", u8>>>;
     };
 };
 
@@ -501,20 +518,22 @@ struct report_service_list_subsystem_seq {
         using T = report_service_list_subsystem_seq;
         using type = layout<
             nested<&T::subsystem_rec>,
-            repeated<&T::node_list, count<"node_list_count", u8>>>;
+            repeated<&T::node_list, count<"number_of_node_list", u8>>>;
     };
 };
 
-/// ReportServiceList: code 4B04h, output of Discovery.
+/// ReportServiceList: ID 4B04h, output of Discovery.
 struct report_service_list {
     wire::list<report_service_list_subsystem_seq> subsystem_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(const report_service_list&, const report_service_list&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4B04;
+        static constexpr std::uint16_t message_id = 0x4B04;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_service_list;
-        using type = layout<repeated<&T::subsystem_list, count<"subsystem_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::subsystem_list, count<"number_of_subsystem_list", u16le>>>;
     };
 };
 

@@ -21,77 +21,81 @@ enum class event_type : std::uint8_t {
     every_change = 1,
 };
 
-/// CreateEvent: code 01F0h, command, input of Events.
+/// CreateEvent: ID 01F0h, command, input of Events.
 struct create_event {
     std::uint8_t request_id{};
     core::event_type event_type{};
-    double requested_periodic_rate{}; ///< hertz, 0 to 1092
-    wire::blob query_message{};       ///< JAUS MESSAGE, 2 to 2147483647 octets
+    double requested_periodic_rate{};       ///< hertz, 0 to 1092
+    wire::embedded_message query_message{}; ///< JAUS MESSAGE, 2 to 2147483647 octets
     friend constexpr bool operator==(const create_event&, const create_event&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x01F0;
+        static constexpr std::uint16_t message_id = 0x01F0;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = create_event;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::request_id, u8>,
-            field<&T::event_type, enumeration<core::event_type, u8>>,
+            field<&T::event_type, in_value_set<enumeration<core::event_type, u8>, between<0, 1>>>,
             field<&T::requested_periodic_rate, scaled<u16le, hertz_0_to_1092>>,
-            bytes<&T::query_message, count<"query_message_size", u32le>>>;
+            embedded<&T::query_message, count_between<"query_message_size", u32le, 2, 2147483647>>>;
     };
 };
 
-/// CreateCommandEvent: code 01F6h, command, input of Events.
+/// CreateCommandEvent: ID 01F6h, command, input of Events.
 struct create_command_event {
     std::uint8_t request_id{};
     std::uint32_t maximum_allowed_duration{}; ///< second
-    wire::blob command_message{};             ///< JAUS MESSAGE, 2 to 2147483647 octets
+    wire::embedded_message command_message{}; ///< JAUS MESSAGE, 2 to 2147483647 octets
     friend constexpr bool operator==(const create_command_event&, const create_command_event&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x01F6;
+        static constexpr std::uint16_t message_id = 0x01F6;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = create_command_event;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::request_id, u8>,
             field<&T::maximum_allowed_duration, in_units<u32le, second>>,
-            bytes<&T::command_message, count<"command_message_size", u32le>>>;
+            embedded<&T::command_message, count_between<"command_message_size", u32le, 2, 2147483647>>>;
     };
 };
 
-/// UpdateEvent: code 01F1h, command, input of Events.
+/// UpdateEvent: ID 01F1h, command, input of Events.
 struct update_event {
     std::uint8_t request_id{};
     core::event_type event_type{};
-    double requested_periodic_rate{}; ///< hertz, 0 to 1092
+    double requested_periodic_rate{};       ///< hertz, 0 to 1092
     std::uint8_t event_id{};
-    wire::blob query_message{};       ///< JAUS MESSAGE, 2 to 2147483647 octets
+    wire::embedded_message query_message{}; ///< JAUS MESSAGE, 2 to 2147483647 octets
     friend constexpr bool operator==(const update_event&, const update_event&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x01F1;
+        static constexpr std::uint16_t message_id = 0x01F1;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = update_event;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::request_id, u8>,
-            field<&T::event_type, enumeration<core::event_type, u8>>,
+            field<&T::event_type, in_value_set<enumeration<core::event_type, u8>, between<0, 1>>>,
             field<&T::requested_periodic_rate, scaled<u16le, hertz_0_to_1092>>,
             field<&T::event_id, u8>,
-            bytes<&T::query_message, count<"query_message_size", u32le>>>;
+            embedded<&T::query_message, count_between<"query_message_size", u32le, 2, 2147483647>>>;
     };
 };
 
-/// CancelEvent: code 01F2h, command, input of Events.
+/// CancelEvent: ID 01F2h, command, input of Events.
 struct cancel_event {
     std::uint8_t request_id{};
     std::uint8_t event_id{};
     friend constexpr bool operator==(const cancel_event&, const cancel_event&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x01F2;
+        static constexpr std::uint16_t message_id = 0x01F2;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = cancel_event;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::request_id, u8>,
             field<&T::event_id, u8>>;
     };
@@ -115,7 +119,7 @@ struct event_type_rec {
 
     struct schema : wire::items {
         using T = event_type_rec;
-        using type = layout<field<&T::event_type, enumeration<core::event_type, u8>>>;
+        using type = layout<field<&T::event_type, in_value_set<enumeration<core::event_type, u8>, between<0, 1>>>>;
     };
 };
 
@@ -137,53 +141,37 @@ struct all_events_rec {
 
     struct schema : wire::items {
         using T = all_events_rec;
-        using type = layout<field<&T::all_events, u8>>;
+        using type = layout<field<&T::all_events, in_value_set<u8, one_of<0>>>>;
     };
 };
 
-/// Variant QueryEventsVar: `tag` is the number of the alternative.
-struct query_events_var {
-    std::uint8_t tag{};
-    std::variant<message_id_rec, event_type_rec, event_id_rec, all_events_rec> value{};
-    friend constexpr bool operator==(const query_events_var&, const query_events_var&) = default;
-
-    struct schema : wire::items {
-        using T = query_events_var;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, message_id_rec>,
-                when<1, event_type_rec>,
-                when<2, event_id_rec>,
-                when<3, all_events_rec>>>;
-    };
-};
-
-/// QueryEvents: code 21F0h, input of Events.
+/// QueryEvents: ID 21F0h, input of Events.
 struct query_events {
-    core::query_events_var query_events_var{};
+    std::variant<message_id_rec, event_type_rec, event_id_rec, all_events_rec> query_events_var{};
     friend constexpr bool operator==(const query_events&, const query_events&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x21F0;
+        static constexpr std::uint16_t message_id = 0x21F0;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_events;
-        using type = layout<nested<&T::query_events_var>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            variant<&T::query_events_var, u8>>;
     };
 };
 
-/// QueryEventTimeout: code 21F2h, input of Events.
+/// QueryEventTimeout: ID 21F2h, input of Events.
 struct query_event_timeout {
     friend constexpr bool operator==(const query_event_timeout&, const query_event_timeout&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x21F2;
+        static constexpr std::uint16_t message_id = 0x21F2;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ConfirmEventRequest: code 01F3h, output of Events.
+/// ConfirmEventRequest: ID 01F3h, output of Events.
 struct confirm_event_request {
     std::uint8_t request_id{};
     std::uint8_t event_id{};
@@ -191,10 +179,11 @@ struct confirm_event_request {
     friend constexpr bool operator==(const confirm_event_request&, const confirm_event_request&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x01F3;
+        static constexpr std::uint16_t message_id = 0x01F3;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = confirm_event_request;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::request_id, u8>,
             field<&T::event_id, u8>,
             field<&T::confirmed_periodic_rate, scaled<u16le, hertz_0_to_1092>>>;
@@ -211,7 +200,7 @@ enum class events_response_code : std::uint8_t {
     error_invalid_event_id_for_update_event_request = 6, ///< error, invalid event ID for update event request
 };
 
-/// RejectEventRequest: code 01F4h, output of Events.
+/// RejectEventRequest: ID 01F4h, output of Events.
 struct reject_event_request {
     std::uint8_t request_id{};
     std::optional<events_response_code> response_code{};
@@ -219,13 +208,14 @@ struct reject_event_request {
     friend constexpr bool operator==(const reject_event_request&, const reject_event_request&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x01F4;
+        static constexpr std::uint16_t message_id = 0x01F4;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = reject_event_request;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::request_id, u8>,
-                field<&T::response_code, enumeration<events_response_code, u8>>,
+                field<&T::response_code, in_value_set<enumeration<events_response_code, u8>, between<1, 6>>>,
                 string<&T::error_message, fixed<80>>>>;
     };
 };
@@ -234,46 +224,49 @@ struct reject_event_request {
 struct report_event_rec {
     core::event_type event_type{};
     std::uint8_t event_id{};
-    wire::blob query_message{}; ///< JAUS MESSAGE, 2 to 2147483647 octets
+    wire::embedded_message query_message{}; ///< JAUS MESSAGE, 2 to 2147483647 octets
     friend constexpr bool operator==(const report_event_rec&, const report_event_rec&) = default;
 
     struct schema : wire::items {
         using T = report_event_rec;
         using type = layout<
-            field<&T::event_type, enumeration<core::event_type, u8>>,
+            field<&T::event_type, in_value_set<enumeration<core::event_type, u8>, between<0, 1>>>,
             field<&T::event_id, u8>,
-            bytes<&T::query_message, count<"query_message_size", u32le>>>;
+            embedded<&T::query_message, count_between<"query_message_size", u32le, 2, 2147483647>>>;
     };
 };
 
-/// ReportEvents: code 41F0h, output of Events.
+/// ReportEvents: ID 41F0h, output of Events.
 struct report_events {
     wire::list<report_event_rec> event_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const report_events&, const report_events&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x41F0;
+        static constexpr std::uint16_t message_id = 0x41F0;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_events;
-        using type = layout<repeated<&T::event_list, count<"event_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::event_list, count<"number_of_event_list", u8>>>;
     };
 };
 
-/// Event: code 41F1h, output of Events.
+/// Event: ID 41F1h, output of Events.
 struct event {
     std::uint8_t event_id{};
     std::uint8_t sequence_number{};
-    wire::blob report_message{}; ///< JAUS MESSAGE, 2 to 2147483647 octets
+    wire::embedded_message report_message{}; ///< JAUS MESSAGE, 2 to 2147483647 octets
     friend constexpr bool operator==(const event&, const event&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x41F1;
+        static constexpr std::uint16_t message_id = 0x41F1;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = event;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::event_id, u8>,
             field<&T::sequence_number, u8>,
-            bytes<&T::report_message, count<"report_message_size", u32le>>>;
+            embedded<&T::report_message, count_between<"report_message_size", u32le, 2, 2147483647>>>;
     };
 };
 
@@ -283,32 +276,35 @@ enum class command_result : std::uint8_t {
     unsuccessful = 1,
 };
 
-/// CommandEvent: code 41F6h, output of Events.
+/// CommandEvent: ID 41F6h, output of Events.
 struct command_event {
     std::uint8_t event_id{};
     core::command_result command_result{};
     friend constexpr bool operator==(const command_event&, const command_event&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x41F6;
+        static constexpr std::uint16_t message_id = 0x41F6;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = command_event;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::event_id, u8>,
-            field<&T::command_result, enumeration<core::command_result, u8>>>;
+            field<&T::command_result, in_value_set<enumeration<core::command_result, u8>, between<0, 1>>>>;
     };
 };
 
-/// ReportEventTimeout: code 41F2h, output of Events.
+/// ReportEventTimeout: ID 41F2h, output of Events.
 struct report_event_timeout {
     core::timeout timeout{}; ///< minute, 1 to 255
     friend constexpr bool operator==(const report_event_timeout&, const report_event_timeout&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x41F2;
+        static constexpr std::uint16_t message_id = 0x41F2;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_event_timeout;
-        using type = layout<field<&T::timeout, enumeration<core::timeout, u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::timeout, enumeration<core::timeout, u8>>>;
     };
 };
 

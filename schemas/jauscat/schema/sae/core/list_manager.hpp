@@ -35,14 +35,14 @@ enum class element_data_format : std::uint8_t {
 /// ElementData: octets in the format that is named before them.
 struct element_data {
     element_data_format format{};
-    wire::blob value{}; ///< up to 65535 octets
+    wire::embedded_message data{}; ///< up to 65535 octets
     friend constexpr bool operator==(const element_data&, const element_data&) = default;
 
     struct schema : wire::items {
         using T = element_data;
         using type = layout<
-            field<&T::format, enumeration<element_data_format, u8>>,
-            bytes<&T::value, count<"value_size", u16le>>>;
+            field<&T::format, in_value_set<enumeration<element_data_format, u8>, between<0, 1>>>,
+            embedded<&T::data, count<"data_size", u16le>>>;
     };
 };
 
@@ -64,19 +64,20 @@ struct element_rec {
     };
 };
 
-/// SetElement: code 041Ah, command, input of ListManager.
+/// SetElement: ID 041Ah, command, input of ListManager.
 struct set_element {
     core::request_id_rec request_id_rec{};
     wire::list<element_rec> element_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const set_element&, const set_element&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x041A;
+        static constexpr std::uint16_t message_id = 0x041A;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_element;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             nested<&T::request_id_rec>,
-            repeated<&T::element_list, count<"element_list_count", u8>>>;
+            repeated<&T::element_list, count<"number_of_element_list", u8>>>;
     };
 };
 
@@ -91,67 +92,72 @@ struct delete_element_rec {
     };
 };
 
-/// DeleteElement: code 041Bh, command, input of ListManager.
+/// DeleteElement: ID 041Bh, command, input of ListManager.
 struct delete_element {
     core::request_id_rec request_id_rec{};
     wire::list<delete_element_rec> delete_element_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const delete_element&, const delete_element&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x041B;
+        static constexpr std::uint16_t message_id = 0x041B;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = delete_element;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             nested<&T::request_id_rec>,
-            repeated<&T::delete_element_list, count<"delete_element_list_count", u8>>>;
+            repeated<&T::delete_element_list, count<"number_of_delete_element_list", u8>>>;
     };
 };
 
-/// QueryElement: code 241Ah, input of ListManager.
+/// QueryElement: ID 241Ah, input of ListManager.
 struct query_element {
     std::uint16_t element_uid{};
     friend constexpr bool operator==(const query_element&, const query_element&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x241A;
+        static constexpr std::uint16_t message_id = 0x241A;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_element;
-        using type = layout<field<&T::element_uid, u16le>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::element_uid, u16le>>;
     };
 };
 
-/// QueryElementList: code 241Bh, input of ListManager.
+/// QueryElementList: ID 241Bh, input of ListManager.
 struct query_element_list {
     friend constexpr bool operator==(const query_element_list&, const query_element_list&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x241B;
+        static constexpr std::uint16_t message_id = 0x241B;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// QueryElementCount: code 241Ch, input of ListManager.
+/// QueryElementCount: ID 241Ch, input of ListManager.
 struct query_element_count {
     friend constexpr bool operator==(const query_element_count&, const query_element_count&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x241C;
+        static constexpr std::uint16_t message_id = 0x241C;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ConfirmElementRequest: code 041Ch, output of ListManager.
+/// ConfirmElementRequest: ID 041Ch, output of ListManager.
 struct confirm_element_request {
     std::uint8_t request_id{};
     friend constexpr bool operator==(const confirm_element_request&, const confirm_element_request&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x041C;
+        static constexpr std::uint16_t message_id = 0x041C;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = confirm_element_request;
-        using type = layout<field<&T::request_id, u8>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::request_id, u8>>;
     };
 };
 
@@ -166,23 +172,24 @@ enum class list_manager_response_code : std::uint8_t {
     unspecified_error = 7,
 };
 
-/// RejectElementRequest: code 041Dh, output of ListManager.
+/// RejectElementRequest: ID 041Dh, output of ListManager.
 struct reject_element_request {
     std::uint8_t request_id{};
     list_manager_response_code response_code{};
     friend constexpr bool operator==(const reject_element_request&, const reject_element_request&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x041D;
+        static constexpr std::uint16_t message_id = 0x041D;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = reject_element_request;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::request_id, u8>,
-            field<&T::response_code, enumeration<list_manager_response_code, u8>>>;
+            field<&T::response_code, in_value_set<enumeration<list_manager_response_code, u8>, between<1, 7>>>>;
     };
 };
 
-/// ReportElement: code 441Ah, output of ListManager.
+/// ReportElement: ID 441Ah, output of ListManager.
 struct report_element {
     std::uint16_t element_uid{};
     std::uint16_t previous_uid{};
@@ -191,10 +198,11 @@ struct report_element {
     friend constexpr bool operator==(const report_element&, const report_element&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x441A;
+        static constexpr std::uint16_t message_id = 0x441A;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_element;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::element_uid, u16le>,
             field<&T::previous_uid, u16le>,
             field<&T::next_uid, u16le>,
@@ -213,29 +221,33 @@ struct element_list_rec {
     };
 };
 
-/// ReportElementList: code 441Bh, output of ListManager.
+/// ReportElementList: ID 441Bh, output of ListManager.
 struct report_element_list {
     wire::list<element_list_rec> element_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(const report_element_list&, const report_element_list&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x441B;
+        static constexpr std::uint16_t message_id = 0x441B;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_element_list;
-        using type = layout<repeated<&T::element_list, count<"element_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::element_list, count<"number_of_element_list", u16le>>>;
     };
 };
 
-/// ReportElementCount: code 441Ch, output of ListManager.
+/// ReportElementCount: ID 441Ch, output of ListManager.
 struct report_element_count {
     std::uint16_t element_count{};
     friend constexpr bool operator==(const report_element_count&, const report_element_count&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x441C;
+        static constexpr std::uint16_t message_id = 0x441C;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_element_count;
-        using type = layout<field<&T::element_count, u16le>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::element_count, u16le>>;
     };
 };
 

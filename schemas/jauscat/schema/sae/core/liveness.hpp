@@ -15,25 +15,25 @@
 // clang-format off
 namespace jauscat::sae::core {
 
-/// QueryHeartbeatPulse: code 2202h, input of Liveness.
+/// QueryHeartbeatPulse: ID 2202h, input of Liveness.
 struct query_heartbeat_pulse {
     friend constexpr bool operator==(const query_heartbeat_pulse&, const query_heartbeat_pulse&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2202;
+        static constexpr std::uint16_t message_id = 0x2202;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportHeartbeatPulse: code 4202h, output of Liveness.
+/// ReportHeartbeatPulse: ID 4202h, output of Liveness.
 struct report_heartbeat_pulse {
     friend constexpr bool operator==(const report_heartbeat_pulse&, const report_heartbeat_pulse&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4202;
+        static constexpr std::uint16_t message_id = 0x4202;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 

@@ -15,47 +15,47 @@
 // clang-format off
 namespace jauscat::sae::core {
 
-/// Shutdown: code 0002h, command, input of Management.
+/// Shutdown: ID 0002h, command, input of Management.
 struct shutdown {
     friend constexpr bool operator==(const shutdown&, const shutdown&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0002;
+        static constexpr std::uint16_t message_id = 0x0002;
         static constexpr bool is_command = true, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// Standby: code 0003h, command, input of Management.
+/// Standby: ID 0003h, command, input of Management.
 struct standby {
     friend constexpr bool operator==(const standby&, const standby&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0003;
+        static constexpr std::uint16_t message_id = 0x0003;
         static constexpr bool is_command = true, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// Resume: code 0004h, command, input of Management.
+/// Resume: ID 0004h, command, input of Management.
 struct resume {
     friend constexpr bool operator==(const resume&, const resume&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0004;
+        static constexpr std::uint16_t message_id = 0x0004;
         static constexpr bool is_command = true, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// Reset: code 0005h, command, input of Management.
+/// Reset: ID 0005h, command, input of Management.
 struct reset {
     friend constexpr bool operator==(const reset&, const reset&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0005;
+        static constexpr std::uint16_t message_id = 0x0005;
         static constexpr bool is_command = true, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
@@ -64,40 +64,44 @@ enum class emergency_code : std::uint16_t {
     stop = 1,
 };
 
-/// SetEmergency: code 0006h, command, input of Management.
+/// SetEmergency: ID 0006h, command, input of Management.
 struct set_emergency {
     core::emergency_code emergency_code{};
     friend constexpr bool operator==(const set_emergency&, const set_emergency&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0006;
+        static constexpr std::uint16_t message_id = 0x0006;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_emergency;
-        using type = layout<field<&T::emergency_code, enumeration<core::emergency_code, u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::emergency_code, in_value_set<enumeration<core::emergency_code, u16le>, one_of<1>>>>;
     };
 };
 
-/// ClearEmergency: code 0007h, command, input of Management.
+/// ClearEmergency: ID 0007h, command, input of Management.
 struct clear_emergency {
     core::emergency_code emergency_code{};
     friend constexpr bool operator==(const clear_emergency&, const clear_emergency&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0007;
+        static constexpr std::uint16_t message_id = 0x0007;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = clear_emergency;
-        using type = layout<field<&T::emergency_code, enumeration<core::emergency_code, u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::emergency_code, in_value_set<enumeration<core::emergency_code, u16le>, one_of<1>>>>;
     };
 };
 
-/// QueryStatus: code 2002h, input of Management.
+/// QueryStatus: ID 2002h, input of Management.
 struct query_status {
     friend constexpr bool operator==(const query_status&, const query_status&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2002;
+        static constexpr std::uint16_t message_id = 0x2002;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
@@ -111,18 +115,19 @@ enum class status : std::uint8_t {
     emergency = 5,
 };
 
-/// ReportStatus: code 4002h, output of Management.
+/// ReportStatus: ID 4002h, output of Management.
 struct report_status {
     core::status status{};
     std::uint32_t reserved{};
     friend constexpr bool operator==(const report_status&, const report_status&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4002;
+        static constexpr std::uint16_t message_id = 0x4002;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_status;
         using type = layout<
-            field<&T::status, enumeration<core::status, u8>>,
+            constant<"message_id", u16le, message_id>,
+            field<&T::status, in_value_set<enumeration<core::status, u8>, between<0, 5>>>,
             field<&T::reserved, u32le>>;
     };
 };

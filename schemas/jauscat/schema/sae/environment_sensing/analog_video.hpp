@@ -47,12 +47,12 @@ struct analog_video_sensor_configuration_rec {
     struct schema : wire::items {
         using T = analog_video_sensor_configuration_rec;
         using type = layout<
-            field<&T::sensor_id, u16le>,
-            field<&T::analog_format, enumeration<environment_sensing::analog_format, u8>>>;
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
+            field<&T::analog_format, in_value_set<enumeration<environment_sensing::analog_format, u8>, between<0, 5>>>>;
     };
 };
 
-/// SetAnalogVideoSensorConfiguration: code 0806h, command, input of AnalogVideo.
+/// SetAnalogVideoSensorConfiguration: ID 0806h, command, input of AnalogVideo.
 struct set_analog_video_sensor_configuration {
     analog_video_request_id_rec request_id_rec{};
     wire::list<analog_video_sensor_configuration_rec> analog_video_sensor_list{}; ///< up to 65535 elements
@@ -61,16 +61,17 @@ struct set_analog_video_sensor_configuration {
         const set_analog_video_sensor_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0806;
+        static constexpr std::uint16_t message_id = 0x0806;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_analog_video_sensor_configuration;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             nested<&T::request_id_rec>,
-            repeated<&T::analog_video_sensor_list, count<"analog_video_sensor_list_count", u16le>>>;
+            repeated<&T::analog_video_sensor_list, count<"number_of_analog_video_sensor_list", u16le>>>;
     };
 };
 
-/// QueryAnalogVideoSensorConfiguration: code 2811h, input of AnalogVideo.
+/// QueryAnalogVideoSensorConfiguration: ID 2811h, input of AnalogVideo.
 struct query_analog_video_sensor_configuration {
     wire::list<sensor_id_query_rec> sensor_id_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -78,14 +79,16 @@ struct query_analog_video_sensor_configuration {
         const query_analog_video_sensor_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2811;
+        static constexpr std::uint16_t message_id = 0x2811;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_analog_video_sensor_configuration;
-        using type = layout<repeated<&T::sensor_id_list, count<"sensor_id_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::sensor_id_list, count<"number_of_sensor_id_list", u16le>>>;
     };
 };
 
-/// QueryAnalogVideoSensorCapabilities: code 2810h, input of AnalogVideo.
+/// QueryAnalogVideoSensorCapabilities: ID 2810h, input of AnalogVideo.
 struct query_analog_video_sensor_capabilities {
     wire::list<sensor_id_query_rec> sensor_id_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -93,14 +96,16 @@ struct query_analog_video_sensor_capabilities {
         const query_analog_video_sensor_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2810;
+        static constexpr std::uint16_t message_id = 0x2810;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_analog_video_sensor_capabilities;
-        using type = layout<repeated<&T::sensor_id_list, count<"sensor_id_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::sensor_id_list, count<"number_of_sensor_id_list", u16le>>>;
     };
 };
 
-/// ReportAnalogVideoSensorConfiguration: code 4811h, output of AnalogVideo.
+/// ReportAnalogVideoSensorConfiguration: ID 4811h, output of AnalogVideo.
 struct report_analog_video_sensor_configuration {
     /// up to 65535 elements
     wire::list<analog_video_sensor_configuration_rec> analog_video_sensor_configuration_list{};
@@ -109,12 +114,13 @@ struct report_analog_video_sensor_configuration {
         const report_analog_video_sensor_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4811;
+        static constexpr std::uint16_t message_id = 0x4811;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_analog_video_sensor_configuration;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             repeated<&T::analog_video_sensor_configuration_list,
-                count<"analog_video_sensor_configuration_list_count", u16le>>>;
+                count<"number_of_analog_video_sensor_configuration_list", u16le>>>;
     };
 };
 
@@ -189,12 +195,12 @@ struct analog_video_sensor_capabilities_rec {
     struct schema : wire::items {
         using T = analog_video_sensor_capabilities_rec;
         using type = layout<
-            field<&T::sensor_id, u16le>,
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
             nested<&T::supported_analog_formats>>;
     };
 };
 
-/// ReportAnalogVideoSensorCapabilities: code 4810h, output of AnalogVideo.
+/// ReportAnalogVideoSensorCapabilities: ID 4810h, output of AnalogVideo.
 struct report_analog_video_sensor_capabilities {
     wire::list<analog_video_sensor_capabilities_rec> analog_video_sensor_capabilities_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -202,12 +208,13 @@ struct report_analog_video_sensor_capabilities {
         const report_analog_video_sensor_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4810;
+        static constexpr std::uint16_t message_id = 0x4810;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_analog_video_sensor_capabilities;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             repeated<&T::analog_video_sensor_capabilities_list,
-                count<"analog_video_sensor_capabilities_list_count", u16le>>>;
+                count<"number_of_analog_video_sensor_capabilities_list", u16le>>>;
     };
 };
 

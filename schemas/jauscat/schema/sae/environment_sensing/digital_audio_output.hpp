@@ -47,14 +47,14 @@ struct digital_audio_output_source_rec {
     struct schema : wire::items {
         using T = digital_audio_output_source_rec;
         using type = layout<
-            field<&T::sensor_id, u16le>,
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
             string<&T::stream_url, count<"stream_url_size", u8>>,
-            field<&T::repeat, enumeration<environment_sensing::repeat, u8>>,
+            field<&T::repeat, in_value_set<enumeration<environment_sensing::repeat, u8>, between<0, 1>>>,
             field<&T::volume, scaled<u16le, percent_0_to_100>>>;
     };
 };
 
-/// SetDigitalAudioOutputSource: code 0818h, command, input of DigitalAudioOutput.
+/// SetDigitalAudioOutputSource: ID 0818h, command, input of DigitalAudioOutput.
 struct set_digital_audio_output_source {
     digital_audio_output_request_id_rec request_id_rec{};
     wire::list<digital_audio_output_source_rec> digital_audio_output_source_list{}; ///< up to 65535 elements
@@ -63,16 +63,17 @@ struct set_digital_audio_output_source {
         const set_digital_audio_output_source&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0818;
+        static constexpr std::uint16_t message_id = 0x0818;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_digital_audio_output_source;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             nested<&T::request_id_rec>,
-            repeated<&T::digital_audio_output_source_list, count<"digital_audio_output_source_list_count", u16le>>>;
+            repeated<&T::digital_audio_output_source_list, count<"number_of_digital_audio_output_source_list", u16le>>>;
     };
 };
 
-/// QueryDigitalAudioOutputSource: code 2818h, input of DigitalAudioOutput.
+/// QueryDigitalAudioOutputSource: ID 2818h, input of DigitalAudioOutput.
 struct query_digital_audio_output_source {
     environment_sensing::sensor_id sensor_id{}; ///< 1 to 65535
     friend constexpr bool operator==(
@@ -80,14 +81,16 @@ struct query_digital_audio_output_source {
         const query_digital_audio_output_source&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2818;
+        static constexpr std::uint16_t message_id = 0x2818;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_digital_audio_output_source;
-        using type = layout<field<&T::sensor_id, enumeration<environment_sensing::sensor_id, u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::sensor_id, enumeration<environment_sensing::sensor_id, u16le>>>;
     };
 };
 
-/// QueryDigitalAudioOutputCapabilities: code 2819h, input of DigitalAudioOutput.
+/// QueryDigitalAudioOutputCapabilities: ID 2819h, input of DigitalAudioOutput.
 struct query_digital_audio_output_capabilities {
     environment_sensing::sensor_id sensor_id{}; ///< 1 to 65535
     friend constexpr bool operator==(
@@ -95,14 +98,16 @@ struct query_digital_audio_output_capabilities {
         const query_digital_audio_output_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2819;
+        static constexpr std::uint16_t message_id = 0x2819;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_digital_audio_output_capabilities;
-        using type = layout<field<&T::sensor_id, enumeration<environment_sensing::sensor_id, u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::sensor_id, enumeration<environment_sensing::sensor_id, u16le>>>;
     };
 };
 
-/// ReportDigitalAudioOutputSource: code 4818h, output of DigitalAudioOutput.
+/// ReportDigitalAudioOutputSource: ID 4818h, output of DigitalAudioOutput.
 struct report_digital_audio_output_source {
     wire::list<digital_audio_output_source_rec> digital_audio_output_source_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -110,11 +115,12 @@ struct report_digital_audio_output_source {
         const report_digital_audio_output_source&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4818;
+        static constexpr std::uint16_t message_id = 0x4818;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_digital_audio_output_source;
         using type = layout<
-            repeated<&T::digital_audio_output_source_list, count<"digital_audio_output_source_list_count", u16le>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::digital_audio_output_source_list, count<"number_of_digital_audio_output_source_list", u16le>>>;
     };
 };
 
@@ -361,7 +367,7 @@ struct digital_audio_output_capabilities_rec {
         using T = digital_audio_output_capabilities_rec;
         using type = layout<
             presence<u8,
-                field<&T::sensor_id, u16le>,
+                field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 field<&T::minimum_allowed_bit_rate, u16le>,
                 field<&T::maximum_allowed_bit_rate, u16le>,
                 nested<&T::supported_digital_formats>,
@@ -371,7 +377,7 @@ struct digital_audio_output_capabilities_rec {
     };
 };
 
-/// ReportDigitalAudioOutputCapabilities: code 4819h, output of DigitalAudioOutput.
+/// ReportDigitalAudioOutputCapabilities: ID 4819h, output of DigitalAudioOutput.
 struct report_digital_audio_output_capabilities {
     /// up to 65535 elements
     wire::list<digital_audio_output_capabilities_rec> digital_audio_output_capabilities_list{};
@@ -380,12 +386,13 @@ struct report_digital_audio_output_capabilities {
         const report_digital_audio_output_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4819;
+        static constexpr std::uint16_t message_id = 0x4819;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_digital_audio_output_capabilities;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             repeated<&T::digital_audio_output_capabilities_list,
-                count<"digital_audio_output_capabilities_list_count", u16le>>>;
+                count<"number_of_digital_audio_output_capabilities_list", u16le>>>;
     };
 };
 

@@ -15,16 +15,16 @@
 // clang-format off
 namespace jauscat::sae::environment_sensing {
 
-/// QueryDigitalResourceEndpoint: code 2816h, input of DigitalResourceDiscovery.
+/// QueryDigitalResourceEndpoint: ID 2816h, input of DigitalResourceDiscovery.
 struct query_digital_resource_endpoint {
     friend constexpr bool operator==(
         const query_digital_resource_endpoint&,
         const query_digital_resource_endpoint&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2816;
+        static constexpr std::uint16_t message_id = 0x2816;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
@@ -92,7 +92,7 @@ struct digital_resource_endpoint_rec {
     };
 };
 
-/// RegisterDigitalResourceEndpoint: code 0808h, command, input of DigitalResourceDiscovery.
+/// RegisterDigitalResourceEndpoint: ID 0808h, command, input of DigitalResourceDiscovery.
 struct register_digital_resource_endpoint {
     digital_resource_discovery_request_id_rec request_id_rec{};
     environment_sensing::digital_resource_endpoint_rec digital_resource_endpoint_rec{};
@@ -101,16 +101,17 @@ struct register_digital_resource_endpoint {
         const register_digital_resource_endpoint&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0808;
+        static constexpr std::uint16_t message_id = 0x0808;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = register_digital_resource_endpoint;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             nested<&T::request_id_rec>,
             nested<&T::digital_resource_endpoint_rec>>;
     };
 };
 
-/// RemoveDigitalResourceEndpoint: code 0809h, command, input of DigitalResourceDiscovery.
+/// RemoveDigitalResourceEndpoint: ID 0809h, command, input of DigitalResourceDiscovery.
 struct remove_digital_resource_endpoint {
     std::uint8_t id{};
     std::uint8_t request_id{};
@@ -119,16 +120,17 @@ struct remove_digital_resource_endpoint {
         const remove_digital_resource_endpoint&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0809;
+        static constexpr std::uint16_t message_id = 0x0809;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = remove_digital_resource_endpoint;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::id, u8>,
             field<&T::request_id, u8>>;
     };
 };
 
-/// ReportDigitalResourceEndpoint: code 4816h, output of DigitalResourceDiscovery.
+/// ReportDigitalResourceEndpoint: ID 4816h, output of DigitalResourceDiscovery.
 struct report_digital_resource_endpoint {
     wire::list<digital_resource_endpoint_rec> digital_resource_endpoint_list{}; ///< up to 255 elements
     friend constexpr bool operator==(
@@ -136,15 +138,16 @@ struct report_digital_resource_endpoint {
         const report_digital_resource_endpoint&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4816;
+        static constexpr std::uint16_t message_id = 0x4816;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_digital_resource_endpoint;
         using type = layout<
-            repeated<&T::digital_resource_endpoint_list, count<"digital_resource_endpoint_list_count", u8>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::digital_resource_endpoint_list, count<"number_of_digital_resource_endpoint_list", u8>>>;
     };
 };
 
-/// ConfirmDigitalResourceEndpoint: code 080Ah, output of DigitalResourceDiscovery.
+/// ConfirmDigitalResourceEndpoint: ID 080Ah, output of DigitalResourceDiscovery.
 struct confirm_digital_resource_endpoint {
     std::uint8_t id{};
     std::uint8_t request_id{};
@@ -153,10 +156,11 @@ struct confirm_digital_resource_endpoint {
         const confirm_digital_resource_endpoint&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x080A;
+        static constexpr std::uint16_t message_id = 0x080A;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = confirm_digital_resource_endpoint;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::id, u8>,
             field<&T::request_id, u8>>;
     };

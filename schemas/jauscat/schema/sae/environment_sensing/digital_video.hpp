@@ -22,7 +22,7 @@ enum class stream_state : std::uint8_t {
     stop = 2,
 };
 
-/// ControlDigitalVideoSensorStream: code 0805h, command, input of DigitalVideo.
+/// ControlDigitalVideoSensorStream: ID 0805h, command, input of DigitalVideo.
 struct control_digital_video_sensor_stream {
     std::uint16_t sensor_id{}; ///< 1 to 65535
     environment_sensing::stream_state stream_state{};
@@ -31,12 +31,13 @@ struct control_digital_video_sensor_stream {
         const control_digital_video_sensor_stream&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0805;
+        static constexpr std::uint16_t message_id = 0x0805;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = control_digital_video_sensor_stream;
         using type = layout<
-            field<&T::sensor_id, u16le>,
-            field<&T::stream_state, enumeration<environment_sensing::stream_state, u8>>>;
+            constant<"message_id", u16le, message_id>,
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
+            field<&T::stream_state, in_value_set<enumeration<environment_sensing::stream_state, u8>, between<0, 2>>>>;
     };
 };
 
@@ -46,7 +47,7 @@ enum class requested_recording_state : std::uint8_t {
     recording = 1,
 };
 
-/// ControlDigitalVideoSensorRecording: code 0810h, command, input of DigitalVideo.
+/// ControlDigitalVideoSensorRecording: ID 0810h, command, input of DigitalVideo.
 struct control_digital_video_sensor_recording {
     std::uint16_t sensor_id{}; ///< 1 to 65535
     environment_sensing::requested_recording_state requested_recording_state{};
@@ -55,12 +56,14 @@ struct control_digital_video_sensor_recording {
         const control_digital_video_sensor_recording&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0810;
+        static constexpr std::uint16_t message_id = 0x0810;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = control_digital_video_sensor_recording;
         using type = layout<
-            field<&T::sensor_id, u16le>,
-            field<&T::requested_recording_state, enumeration<environment_sensing::requested_recording_state, u8>>>;
+            constant<"message_id", u16le, message_id>,
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
+            field<&T::requested_recording_state,
+                in_value_set<enumeration<environment_sensing::requested_recording_state, u8>, between<0, 1>>>>;
     };
 };
 
@@ -104,16 +107,17 @@ struct digital_video_sensor_configuration_rec {
         using T = digital_video_sensor_configuration_rec;
         using type = layout<
             presence<u8,
-                field<&T::sensor_id, u16le>,
+                field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 field<&T::minimum_bit_rate, u16le>,
                 field<&T::maximum_bit_rate, u16le>,
                 field<&T::frame_rate, u8>,
-                field<&T::frame_size, enumeration<environment_sensing::frame_size, u8>>,
-                field<&T::digital_format, enumeration<environment_sensing::digital_format, u8>>>>;
+                field<&T::frame_size, in_value_set<enumeration<environment_sensing::frame_size, u8>, between<0, 28>>>,
+                field<&T::digital_format,
+                    in_value_set<enumeration<environment_sensing::digital_format, u8>, between<0, 6>>>>>;
     };
 };
 
-/// SetDigitalVideoSensorConfiguration: code 0804h, command, input of DigitalVideo.
+/// SetDigitalVideoSensorConfiguration: ID 0804h, command, input of DigitalVideo.
 struct set_digital_video_sensor_configuration {
     digital_video_request_id_rec request_id_rec{};
     wire::list<digital_video_sensor_configuration_rec> digital_video_sensor_list{}; ///< up to 65535 elements
@@ -122,12 +126,13 @@ struct set_digital_video_sensor_configuration {
         const set_digital_video_sensor_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0804;
+        static constexpr std::uint16_t message_id = 0x0804;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_digital_video_sensor_configuration;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             nested<&T::request_id_rec>,
-            repeated<&T::digital_video_sensor_list, count<"digital_video_sensor_list_count", u16le>>>;
+            repeated<&T::digital_video_sensor_list, count<"number_of_digital_video_sensor_list", u16le>>>;
     };
 };
 
@@ -147,7 +152,7 @@ struct query_digital_video_configuration_rec {
     };
 };
 
-/// QueryDigitalVideoSensorConfiguration: code 2809h, input of DigitalVideo.
+/// QueryDigitalVideoSensorConfiguration: ID 2809h, input of DigitalVideo.
 struct query_digital_video_sensor_configuration {
     /// up to 65535 elements
     wire::list<query_digital_video_configuration_rec> query_digital_video_configuration_list{};
@@ -156,12 +161,13 @@ struct query_digital_video_sensor_configuration {
         const query_digital_video_sensor_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2809;
+        static constexpr std::uint16_t message_id = 0x2809;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_digital_video_sensor_configuration;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             repeated<&T::query_digital_video_configuration_list,
-                count<"query_digital_video_configuration_list_count", u16le>>>;
+                count<"number_of_query_digital_video_configuration_list", u16le>>>;
     };
 };
 
@@ -181,7 +187,7 @@ struct query_digital_video_sensor_capabilities_rec {
     };
 };
 
-/// QueryDigitalVideoSensorCapabilitiesExt: code 281Dh, input of DigitalVideo.
+/// QueryDigitalVideoSensorCapabilitiesExt: ID 281Dh, input of DigitalVideo.
 struct query_digital_video_sensor_capabilities_ext {
     /// up to 65535 elements
     wire::list<query_digital_video_sensor_capabilities_rec> query_digital_video_sensor_capabilities_list{};
@@ -190,16 +196,17 @@ struct query_digital_video_sensor_capabilities_ext {
         const query_digital_video_sensor_capabilities_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x281D;
+        static constexpr std::uint16_t message_id = 0x281D;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_digital_video_sensor_capabilities_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             repeated<&T::query_digital_video_sensor_capabilities_list,
-                count<"query_digital_video_sensor_capabilities_list_count", u16le>>>;
+                count<"number_of_query_digital_video_sensor_capabilities_list", u16le>>>;
     };
 };
 
-/// QueryDigitalVideoSensorStatus: code 281Eh, input of DigitalVideo.
+/// QueryDigitalVideoSensorStatus: ID 281Eh, input of DigitalVideo.
 struct query_digital_video_sensor_status {
     wire::list<sensor_id_query_rec> sensor_id_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -207,10 +214,12 @@ struct query_digital_video_sensor_status {
         const query_digital_video_sensor_status&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x281E;
+        static constexpr std::uint16_t message_id = 0x281E;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_digital_video_sensor_status;
-        using type = layout<repeated<&T::sensor_id_list, count<"sensor_id_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::sensor_id_list, count<"number_of_sensor_id_list", u16le>>>;
     };
 };
 
@@ -308,18 +317,19 @@ struct digital_video_sensor_capabilities_rec {
         using T = digital_video_sensor_capabilities_rec;
         using type = layout<
             presence<u8,
-                field<&T::sensor_id, u16le>,
+                field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 field<&T::minimum_bit_rate, u16le>,
                 field<&T::maximum_bit_rate, u16le>,
                 field<&T::minimum_frame_rate, u8>,
                 field<&T::maximum_frame_rate, u8>,
                 nested<&T::supported_frame_sizes>,
                 nested<&T::supported_digital_formats>,
-                field<&T::recording_supported, enumeration<environment_sensing::recording_supported, u8>>>>;
+                field<&T::recording_supported,
+                    in_value_set<enumeration<environment_sensing::recording_supported, u8>, between<0, 1>>>>>;
     };
 };
 
-/// ReportDigitalVideoSensorCapabilitiesExt: code 481Dh, output of DigitalVideo.
+/// ReportDigitalVideoSensorCapabilitiesExt: ID 481Dh, output of DigitalVideo.
 struct report_digital_video_sensor_capabilities_ext {
     wire::list<digital_video_sensor_capabilities_rec> digital_video_sensor_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -327,14 +337,16 @@ struct report_digital_video_sensor_capabilities_ext {
         const report_digital_video_sensor_capabilities_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x481D;
+        static constexpr std::uint16_t message_id = 0x481D;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_digital_video_sensor_capabilities_ext;
-        using type = layout<repeated<&T::digital_video_sensor_list, count<"digital_video_sensor_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::digital_video_sensor_list, count<"number_of_digital_video_sensor_list", u16le>>>;
     };
 };
 
-/// ReportDigitalVideoSensorConfiguration: code 4809h, output of DigitalVideo.
+/// ReportDigitalVideoSensorConfiguration: ID 4809h, output of DigitalVideo.
 struct report_digital_video_sensor_configuration {
     /// up to 65535 elements
     wire::list<digital_video_sensor_configuration_rec> digital_video_sensor_configuration_list{};
@@ -343,12 +355,13 @@ struct report_digital_video_sensor_configuration {
         const report_digital_video_sensor_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4809;
+        static constexpr std::uint16_t message_id = 0x4809;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_digital_video_sensor_configuration;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             repeated<&T::digital_video_sensor_configuration_list,
-                count<"digital_video_sensor_configuration_list_count", u16le>>>;
+                count<"number_of_digital_video_sensor_configuration_list", u16le>>>;
     };
 };
 
@@ -377,13 +390,15 @@ struct digital_video_sensor_status_rec {
     struct schema : wire::items {
         using T = digital_video_sensor_status_rec;
         using type = layout<
-            field<&T::sensor_id, u16le>,
-            field<&T::streaming_state, enumeration<environment_sensing::streaming_state, u8>>,
-            field<&T::recording_state, enumeration<environment_sensing::recording_state, u8>>>;
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
+            field<&T::streaming_state,
+                in_value_set<enumeration<environment_sensing::streaming_state, u8>, between<0, 2>>>,
+            field<&T::recording_state,
+                in_value_set<enumeration<environment_sensing::recording_state, u8>, between<0, 1>>>>;
     };
 };
 
-/// ReportDigitalVideoSensorStatus: code 481Eh, output of DigitalVideo.
+/// ReportDigitalVideoSensorStatus: ID 481Eh, output of DigitalVideo.
 struct report_digital_video_sensor_status {
     wire::list<digital_video_sensor_status_rec> digital_video_sensor_status_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -391,11 +406,12 @@ struct report_digital_video_sensor_status {
         const report_digital_video_sensor_status&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x481E;
+        static constexpr std::uint16_t message_id = 0x481E;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_digital_video_sensor_status;
         using type = layout<
-            repeated<&T::digital_video_sensor_status_list, count<"digital_video_sensor_status_list_count", u16le>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::digital_video_sensor_status_list, count<"number_of_digital_video_sensor_status_list", u16le>>>;
     };
 };
 

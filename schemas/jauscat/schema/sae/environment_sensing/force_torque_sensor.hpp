@@ -31,7 +31,7 @@ struct query_force_torque_capabilities_rec {
     };
 };
 
-/// QueryForceTorqueCapabilities: code 280Bh, input of ForceTorqueSensor.
+/// QueryForceTorqueCapabilities: ID 280Bh, input of ForceTorqueSensor.
 struct query_force_torque_capabilities {
     wire::list<query_force_torque_capabilities_rec> query_force_torque_capabilities_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -39,12 +39,13 @@ struct query_force_torque_capabilities {
         const query_force_torque_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x280B;
+        static constexpr std::uint16_t message_id = 0x280B;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_force_torque_capabilities;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             repeated<&T::query_force_torque_capabilities_list,
-                count<"query_force_torque_capabilities_list_count", u16le>>>;
+                count<"number_of_query_force_torque_capabilities_list", u16le>>>;
     };
 };
 
@@ -65,21 +66,24 @@ struct query_force_torque_rec {
         using T = query_force_torque_rec;
         using type = layout<
             field<&T::sensor_id, u16le>,
-            field<&T::coordinate_system, enumeration<environment_sensing::coordinate_system, u8>>,
+            field<&T::coordinate_system,
+                in_value_set<enumeration<environment_sensing::coordinate_system, u8>, between<0, 1>>>,
             field<&T::query_presence_vector, u8>>;
     };
 };
 
-/// QueryForceTorque: code 280Ch, input of ForceTorqueSensor.
+/// QueryForceTorque: ID 280Ch, input of ForceTorqueSensor.
 struct query_force_torque {
     wire::list<query_force_torque_rec> query_force_torque_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(const query_force_torque&, const query_force_torque&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x280C;
+        static constexpr std::uint16_t message_id = 0x280C;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_force_torque;
-        using type = layout<repeated<&T::query_force_torque_list, count<"query_force_torque_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::query_force_torque_list, count<"number_of_query_force_torque_list", u16le>>>;
     };
 };
 
@@ -117,7 +121,7 @@ struct report_force_torque_capabilities_rec {
                 field<&T::sensor_id, u16le>,
                 string<&T::sensor_name, count<"sensor_name_size", u8>>,
                 field<&T::coordinate_transform_supported,
-                    enumeration<environment_sensing::coordinate_transform_supported, u8>>,
+                    in_value_set<enumeration<environment_sensing::coordinate_transform_supported, u8>, between<0, 1>>>,
                 field<&T::min_force_x, scaled<u16le, newton_minus_5000_to_5000>>,
                 field<&T::max_force_x, scaled<u16le, newton_minus_5000_to_5000>>,
                 field<&T::min_force_y, scaled<u16le, newton_minus_5000_to_5000>>,
@@ -133,7 +137,7 @@ struct report_force_torque_capabilities_rec {
     };
 };
 
-/// ReportForceTorqueCapabilities: code 480Bh, output of ForceTorqueSensor.
+/// ReportForceTorqueCapabilities: ID 480Bh, output of ForceTorqueSensor.
 struct report_force_torque_capabilities {
     wire::list<report_force_torque_capabilities_rec> report_force_torque_capabilities_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -141,12 +145,13 @@ struct report_force_torque_capabilities {
         const report_force_torque_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x480B;
+        static constexpr std::uint16_t message_id = 0x480B;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_force_torque_capabilities;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             repeated<&T::report_force_torque_capabilities_list,
-                count<"report_force_torque_capabilities_list_count", u16le>>>;
+                count<"number_of_report_force_torque_capabilities_list", u16le>>>;
     };
 };
 
@@ -167,7 +172,8 @@ struct report_force_torque_rec {
         using type = layout<
             presence<u8,
                 field<&T::sensor_id, u16le>,
-                field<&T::coordinate_system, enumeration<environment_sensing::coordinate_system, u8>>,
+                field<&T::coordinate_system,
+                    in_value_set<enumeration<environment_sensing::coordinate_system, u8>, between<0, 1>>>,
                 field<&T::force_x, scaled<u16le, newton_minus_5000_to_5000>>,
                 field<&T::force_y, scaled<u16le, newton_minus_5000_to_5000>>,
                 field<&T::force_z, scaled<u16le, newton_minus_5000_to_5000>>,
@@ -177,16 +183,18 @@ struct report_force_torque_rec {
     };
 };
 
-/// ReportForceTorque: code 480Ch, output of ForceTorqueSensor.
+/// ReportForceTorque: ID 480Ch, output of ForceTorqueSensor.
 struct report_force_torque {
     wire::list<report_force_torque_rec> report_force_torque_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(const report_force_torque&, const report_force_torque&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x480C;
+        static constexpr std::uint16_t message_id = 0x480C;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_force_torque;
-        using type = layout<repeated<&T::report_force_torque_list, count<"report_force_torque_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::report_force_torque_list, count<"number_of_report_force_torque_list", u16le>>>;
     };
 };
 

@@ -45,7 +45,7 @@ struct range_sensor_configuration_rec {
         using T = range_sensor_configuration_rec;
         using type = layout<
             presence<u8,
-                field<&T::sensor_id, u16le>,
+                field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 field<&T::horizontal_field_of_view_start_angle, scaled<u32le, radian_minus_pi_to_pi>>,
                 field<&T::horizontal_field_of_view_stop_angle, scaled<u32le, radian_minus_pi_to_pi>>,
                 field<&T::vertical_field_of_view_start_angle, scaled<u32le, radian_minus_pi_to_pi>>,
@@ -53,11 +53,12 @@ struct range_sensor_configuration_rec {
                 field<&T::update_rate, scaled<u16le, hertz_0_to_1000>>,
                 field<&T::minimum_range, scaled<u32le, meter_0_to_1000000>>,
                 field<&T::maximum_range, scaled<u32le, meter_0_to_1000000>>,
-                field<&T::sensor_state, enumeration<environment_sensing::sensor_state, u8>>>>;
+                field<&T::sensor_state,
+                    in_value_set<enumeration<environment_sensing::sensor_state, u8>, between<0, 2>>>>>;
     };
 };
 
-/// SetRangeSensorConfiguration: code 0802h, command, input of RangeSensor.
+/// SetRangeSensorConfiguration: ID 0802h, command, input of RangeSensor.
 struct set_range_sensor_configuration {
     range_sensor_request_id_rec request_id_rec{};
     wire::list<range_sensor_configuration_rec> range_sensor_configuration_list{}; ///< up to 65535 elements
@@ -66,12 +67,13 @@ struct set_range_sensor_configuration {
         const set_range_sensor_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0802;
+        static constexpr std::uint16_t message_id = 0x0802;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_range_sensor_configuration;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             nested<&T::request_id_rec>,
-            repeated<&T::range_sensor_configuration_list, count<"range_sensor_configuration_list_count", u16le>>>;
+            repeated<&T::range_sensor_configuration_list, count<"number_of_range_sensor_configuration_list", u16le>>>;
     };
 };
 
@@ -97,13 +99,15 @@ struct query_range_sensor_compressed_data_rec {
         using T = query_range_sensor_compressed_data_rec;
         using type = layout<
             field<&T::sensor_id, enumeration<environment_sensing::sensor_id, u16le>>,
-            field<&T::report_coordinate_system, enumeration<environment_sensing::report_coordinate_system, u8>>,
-            field<&T::data_compression, enumeration<environment_sensing::data_compression, u8>>,
+            field<&T::report_coordinate_system,
+                in_value_set<enumeration<environment_sensing::report_coordinate_system, u8>, between<0, 1>>>,
+            field<&T::data_compression,
+                in_value_set<enumeration<environment_sensing::data_compression, u8>, between<0, 3>>>,
             field<&T::query_presence_vector, u16le>>;
     };
 };
 
-/// QueryRangeSensorCompressedData: code 2804h, input of RangeSensor.
+/// QueryRangeSensorCompressedData: ID 2804h, input of RangeSensor.
 struct query_range_sensor_compressed_data {
     /// up to 65535 elements
     wire::list<query_range_sensor_compressed_data_rec> query_range_sensor_compressed_data_list{};
@@ -112,12 +116,13 @@ struct query_range_sensor_compressed_data {
         const query_range_sensor_compressed_data&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2804;
+        static constexpr std::uint16_t message_id = 0x2804;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_range_sensor_compressed_data;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             repeated<&T::query_range_sensor_compressed_data_list,
-                count<"query_range_sensor_compressed_data_list_count", u16le>>>;
+                count<"number_of_query_range_sensor_compressed_data_list", u16le>>>;
     };
 };
 
@@ -132,22 +137,24 @@ struct query_range_sensor_data_rec {
         using T = query_range_sensor_data_rec;
         using type = layout<
             field<&T::sensor_id, enumeration<environment_sensing::sensor_id, u16le>>,
-            field<&T::report_coordinate_system, enumeration<environment_sensing::report_coordinate_system, u8>>,
+            field<&T::report_coordinate_system,
+                in_value_set<enumeration<environment_sensing::report_coordinate_system, u8>, between<0, 1>>>,
             field<&T::query_presence_vector, u16le>>;
     };
 };
 
-/// QueryRangeSensorData: code 2803h, input of RangeSensor.
+/// QueryRangeSensorData: ID 2803h, input of RangeSensor.
 struct query_range_sensor_data {
     wire::list<query_range_sensor_data_rec> query_range_sensor_data_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(const query_range_sensor_data&, const query_range_sensor_data&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2803;
+        static constexpr std::uint16_t message_id = 0x2803;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_range_sensor_data;
         using type = layout<
-            repeated<&T::query_range_sensor_data_list, count<"query_range_sensor_data_list_count", u16le>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::query_range_sensor_data_list, count<"number_of_query_range_sensor_data_list", u16le>>>;
     };
 };
 
@@ -167,7 +174,7 @@ struct query_range_sensor_capabilities_rec {
     };
 };
 
-/// QueryRangeSensorCapabilities: code 2801h, input of RangeSensor.
+/// QueryRangeSensorCapabilities: ID 2801h, input of RangeSensor.
 struct query_range_sensor_capabilities {
     wire::list<query_range_sensor_capabilities_rec> range_sensor_capabilities_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -175,11 +182,12 @@ struct query_range_sensor_capabilities {
         const query_range_sensor_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2801;
+        static constexpr std::uint16_t message_id = 0x2801;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_range_sensor_capabilities;
         using type = layout<
-            repeated<&T::range_sensor_capabilities_list, count<"range_sensor_capabilities_list_count", u16le>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::range_sensor_capabilities_list, count<"number_of_range_sensor_capabilities_list", u16le>>>;
     };
 };
 
@@ -199,7 +207,7 @@ struct query_range_sensor_configuration_rec {
     };
 };
 
-/// QueryRangeSensorConfiguration: code 2802h, input of RangeSensor.
+/// QueryRangeSensorConfiguration: ID 2802h, input of RangeSensor.
 struct query_range_sensor_configuration {
     wire::list<query_range_sensor_configuration_rec> range_sensor_configuration_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -207,11 +215,12 @@ struct query_range_sensor_configuration {
         const query_range_sensor_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2802;
+        static constexpr std::uint16_t message_id = 0x2802;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_range_sensor_configuration;
         using type = layout<
-            repeated<&T::range_sensor_configuration_list, count<"range_sensor_configuration_list_count", u16le>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::range_sensor_configuration_list, count<"number_of_range_sensor_configuration_list", u16le>>>;
     };
 };
 
@@ -288,7 +297,7 @@ struct range_sensor_capabilities_rec {
         using T = range_sensor_capabilities_rec;
         using type = layout<
             presence<u16le,
-                field<&T::sensor_id, u16le>,
+                field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 string<&T::sensor_name, count<"sensor_name_size", u8>>,
                 nested<&T::supported_states>,
                 field<&T::minimum_horizontal_field_of_view_start_angle, scaled<u32le, radian_minus_pi_to_pi>>,
@@ -301,11 +310,12 @@ struct range_sensor_capabilities_rec {
                 field<&T::maximum_range, scaled<u32le, meter_0_to_1000000>>,
                 nested<&T::supported_compression>,
                 field<&T::coordinate_transformation_supported,
-                    enumeration<environment_sensing::coordinate_transformation_supported, u8>>>>;
+                    in_value_set<enumeration<environment_sensing::coordinate_transformation_supported, u8>,
+                        between<0, 1>>>>>;
     };
 };
 
-/// ReportRangeSensorCapabilities: code 4801h, output of RangeSensor.
+/// ReportRangeSensorCapabilities: ID 4801h, output of RangeSensor.
 struct report_range_sensor_capabilities {
     wire::list<range_sensor_capabilities_rec> range_sensor_capabilities_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -313,15 +323,16 @@ struct report_range_sensor_capabilities {
         const report_range_sensor_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4801;
+        static constexpr std::uint16_t message_id = 0x4801;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_range_sensor_capabilities;
         using type = layout<
-            repeated<&T::range_sensor_capabilities_list, count<"range_sensor_capabilities_list_count", u16le>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::range_sensor_capabilities_list, count<"number_of_range_sensor_capabilities_list", u16le>>>;
     };
 };
 
-/// ReportRangeSensorConfiguration: code 4802h, output of RangeSensor.
+/// ReportRangeSensorConfiguration: ID 4802h, output of RangeSensor.
 struct report_range_sensor_configuration {
     wire::list<range_sensor_configuration_rec> range_sensor_configuration_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -329,11 +340,12 @@ struct report_range_sensor_configuration {
         const report_range_sensor_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4802;
+        static constexpr std::uint16_t message_id = 0x4802;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_range_sensor_configuration;
         using type = layout<
-            repeated<&T::range_sensor_configuration_list, count<"range_sensor_configuration_list_count", u16le>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::range_sensor_configuration_list, count<"number_of_range_sensor_configuration_list", u16le>>>;
     };
 };
 
@@ -354,8 +366,9 @@ struct range_sensor_data_error_rec {
     struct schema : wire::items {
         using T = range_sensor_data_error_rec;
         using type = layout<
-            field<&T::sensor_id, u16le>,
-            field<&T::data_error_code, enumeration<environment_sensing::data_error_code, u8>>,
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
+            field<&T::data_error_code,
+                in_value_set<enumeration<environment_sensing::data_error_code, u8>, between<0, 1>, one_of<255>>>,
             string<&T::error_message, count<"error_message_size", u8>>>;
     };
 };
@@ -370,8 +383,9 @@ struct range_sensor_data_rec {
     struct schema : wire::items {
         using T = range_sensor_data_rec;
         using type = layout<
-            field<&T::sensor_id, u16le>,
-            field<&T::report_coordinate_system, enumeration<environment_sensing::report_coordinate_system, u8>>,
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
+            field<&T::report_coordinate_system,
+                in_value_set<enumeration<environment_sensing::report_coordinate_system, u8>, between<0, 1>>>,
             nested<&T::time_stamp>>;
     };
 };
@@ -414,13 +428,16 @@ struct range_sensor_data_point_rec {
             presence<u8,
                 field<&T::point_id, u32le>,
                 field<&T::range, scaled<u32le, meter_0_to_1000000>>,
-                field<&T::range_validity, enumeration<environment_sensing::range_validity, u8>>,
+                field<&T::range_validity,
+                    in_value_set<enumeration<environment_sensing::range_validity, u8>, between<0, 1>>>,
                 field<&T::range_error_rms, scaled<u32le, meter_0_to_100000>>,
                 field<&T::bearing, scaled<u32le, radian_minus_pi_to_pi>>,
-                field<&T::bearing_validity, enumeration<environment_sensing::bearing_validity, u8>>,
+                field<&T::bearing_validity,
+                    in_value_set<enumeration<environment_sensing::bearing_validity, u8>, between<0, 1>>>,
                 field<&T::bearing_error_rms, scaled<u32le, radian_0_to_pi>>,
                 field<&T::inclination, scaled<u32le, radian_minus_pi_to_pi>>,
-                field<&T::inclination_validity, enumeration<environment_sensing::inclination_validity, u8>>,
+                field<&T::inclination_validity,
+                    in_value_set<enumeration<environment_sensing::inclination_validity, u8>, between<0, 1>>>,
                 field<&T::inclination_error_rms, scaled<u32le, radian_0_to_pi>>>>;
     };
 };
@@ -435,36 +452,33 @@ struct range_sensor_data_seq {
         using T = range_sensor_data_seq;
         using type = layout<
             nested<&T::range_sensor_data_rec>,
-            repeated<&T::range_sensor_data_point_list, count<"range_sensor_data_point_list_count", u16le>>>;
+            repeated<&T::range_sensor_data_point_list, count<"number_of_range_sensor_data_point_list", u16le>>>;
     };
 };
 
-/// Variant RangeSensorDataVariant: `tag` is the number of the alternative.
+/// Variant RangeSensorDataVariant.
 struct range_sensor_data_variant {
-    std::uint8_t tag{};
     std::variant<range_sensor_data_error_rec, range_sensor_data_seq> value{};
     friend constexpr bool operator==(const range_sensor_data_variant&, const range_sensor_data_variant&) = default;
 
     struct schema : wire::items {
         using T = range_sensor_data_variant;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, range_sensor_data_error_rec>,
-                when<1, range_sensor_data_seq>>>;
+        using type = layout<variant<&T::value, u8>>;
     };
 };
 
-/// ReportRangeSensorData: code 4803h, output of RangeSensor.
+/// ReportRangeSensorData: ID 4803h, output of RangeSensor.
 struct report_range_sensor_data {
     wire::list<range_sensor_data_variant> range_sensor_data_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(const report_range_sensor_data&, const report_range_sensor_data&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4803;
+        static constexpr std::uint16_t message_id = 0x4803;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_range_sensor_data;
-        using type = layout<repeated<&T::range_sensor_data_list, count<"range_sensor_data_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::range_sensor_data_list, count<"number_of_range_sensor_data_list", u16le>>>;
     };
 };
 
@@ -482,17 +496,18 @@ struct range_sensor_compressed_data_rec {
     struct schema : wire::items {
         using T = range_sensor_compressed_data_rec;
         using type = layout<
-            field<&T::sensor_id, u16le>,
-            field<&T::report_coordinate_system, enumeration<environment_sensing::report_coordinate_system, u8>>,
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
+            field<&T::report_coordinate_system,
+                in_value_set<enumeration<environment_sensing::report_coordinate_system, u8>, between<0, 1>>>,
             nested<&T::time_stamp>,
-            field<&T::data_compression, enumeration<environment_sensing::data_compression, u8>>,
-            bytes<&T::compressed_data, count<"compressed_data_size", u32le>>>;
+            field<&T::data_compression,
+                in_value_set<enumeration<environment_sensing::data_compression, u8>, between<0, 3>>>,
+            bytes<&T::compressed_data, count_between<"compressed_data_size", u32le, 0, 2147483647>>>;
     };
 };
 
-/// Variant RangeSensorCompressedDataVariant: `tag` is the number of the alternative.
+/// Variant RangeSensorCompressedDataVariant.
 struct range_sensor_compressed_data_variant {
-    std::uint8_t tag{};
     std::variant<range_sensor_data_error_rec, range_sensor_compressed_data_rec> value{};
     friend constexpr bool operator==(
         const range_sensor_compressed_data_variant&,
@@ -500,15 +515,11 @@ struct range_sensor_compressed_data_variant {
 
     struct schema : wire::items {
         using T = range_sensor_compressed_data_variant;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, range_sensor_data_error_rec>,
-                when<1, range_sensor_compressed_data_rec>>>;
+        using type = layout<variant<&T::value, u8>>;
     };
 };
 
-/// ReportRangeSensorCompressedData: code 4804h, output of RangeSensor.
+/// ReportRangeSensorCompressedData: ID 4804h, output of RangeSensor.
 struct report_range_sensor_compressed_data {
     wire::list<range_sensor_compressed_data_variant> range_sensor_compressed_data_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -516,11 +527,13 @@ struct report_range_sensor_compressed_data {
         const report_range_sensor_compressed_data&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4804;
+        static constexpr std::uint16_t message_id = 0x4804;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_range_sensor_compressed_data;
         using type = layout<
-            repeated<&T::range_sensor_compressed_data_list, count<"range_sensor_compressed_data_list_count", u16le>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::range_sensor_compressed_data_list,
+                count<"number_of_range_sensor_compressed_data_list", u16le>>>;
     };
 };
 

@@ -49,7 +49,7 @@ struct shared_sensor_id_rec {
 
     struct schema : wire::items {
         using T = shared_sensor_id_rec;
-        using type = layout<field<&T::sensor_id, u16le>>;
+        using type = layout<field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>>;
     };
 };
 
@@ -75,8 +75,12 @@ struct range_sensor_error_rec {
     struct schema : wire::items {
         using T = range_sensor_error_rec;
         using type = layout<
-            field<&T::sensor_id, u16le>,
-            field<&T::range_sensor_error_code, enumeration<environment_sensing::range_sensor_error_code, u8>>,
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
+            field<&T::range_sensor_error_code,
+                in_value_set<
+                    enumeration<environment_sensing::range_sensor_error_code, u8>,
+                    between<0, 6>,
+                    one_of<255>>>,
             string<&T::error_message, count<"error_message_size", u8>>>;
     };
 };
@@ -113,8 +117,12 @@ struct visual_sensor_error_rec {
     struct schema : wire::items {
         using T = visual_sensor_error_rec;
         using type = layout<
-            field<&T::sensor_id, u16le>,
-            field<&T::visual_sensor_error_code, enumeration<environment_sensing::visual_sensor_error_code, u8>>,
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
+            field<&T::visual_sensor_error_code,
+                in_value_set<
+                    enumeration<environment_sensing::visual_sensor_error_code, u8>,
+                    between<0, 16>,
+                    one_of<255>>>,
             string<&T::error_message, count<"error_message_size", u8>>>;
     };
 };
@@ -144,8 +152,12 @@ struct digital_video_sensor_error_rec {
     struct schema : wire::items {
         using T = digital_video_sensor_error_rec;
         using type = layout<
-            field<&T::sensor_id, u16le>,
-            field<&T::digital_video_error_code, enumeration<environment_sensing::digital_video_error_code, u8>>,
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
+            field<&T::digital_video_error_code,
+                in_value_set<
+                    enumeration<environment_sensing::digital_video_error_code, u8>,
+                    between<0, 7>,
+                    one_of<255>>>,
             string<&T::error_message, count<"error_message_size", u8>>>;
     };
 };
@@ -169,8 +181,12 @@ struct analog_video_sensor_error_rec {
     struct schema : wire::items {
         using T = analog_video_sensor_error_rec;
         using type = layout<
-            field<&T::sensor_id, u16le>,
-            field<&T::analog_video_error_code, enumeration<environment_sensing::analog_video_error_code, u8>>,
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
+            field<&T::analog_video_error_code,
+                in_value_set<
+                    enumeration<environment_sensing::analog_video_error_code, u8>,
+                    between<0, 1>,
+                    one_of<255>>>,
             string<&T::error_message, count<"error_message_size", u8>>>;
     };
 };
@@ -196,8 +212,9 @@ struct still_image_sensor_error_rec {
     struct schema : wire::items {
         using T = still_image_sensor_error_rec;
         using type = layout<
-            field<&T::sensor_id, u16le>,
-            field<&T::still_image_error_code, enumeration<environment_sensing::still_image_error_code, u8>>,
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
+            field<&T::still_image_error_code,
+                in_value_set<enumeration<environment_sensing::still_image_error_code, u8>, between<0, 3>, one_of<255>>>,
             string<&T::error_message, count<"error_message_size", u8>>>;
     };
 };
@@ -226,9 +243,12 @@ struct h264_video_encoding_error_rec {
     struct schema : wire::items {
         using T = h264_video_encoding_error_rec;
         using type = layout<
-            field<&T::sensor_id, u16le>,
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
             field<&T::h264_video_encoding_error_code,
-                enumeration<environment_sensing::h264_video_encoding_error_code, u8>>,
+                in_value_set<
+                    enumeration<environment_sensing::h264_video_encoding_error_code, u8>,
+                    between<0, 6>,
+                    one_of<255>>>,
             string<&T::error_message, count<"error_message_size", u8>>>;
     };
 };
@@ -256,9 +276,12 @@ struct digital_audio_sensor_error_rec {
     struct schema : wire::items {
         using T = digital_audio_sensor_error_rec;
         using type = layout<
-            field<&T::sensor_id, u16le>,
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
             field<&T::digital_audio_sensor_error_code,
-                enumeration<environment_sensing::digital_audio_sensor_error_code, u8>>,
+                in_value_set<
+                    enumeration<environment_sensing::digital_audio_sensor_error_code, u8>,
+                    between<0, 5>,
+                    one_of<255>>>,
             string<&T::error_message, count<"error_message_size", u8>>>;
     };
 };
@@ -283,9 +306,12 @@ struct digital_audio_output_error_rec {
     struct schema : wire::items {
         using T = digital_audio_output_error_rec;
         using type = layout<
-            field<&T::sensor_id, u16le>,
+            field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
             field<&T::digital_audio_output_error_code,
-                enumeration<environment_sensing::digital_audio_output_error_code, u8>>,
+                in_value_set<
+                    enumeration<environment_sensing::digital_audio_output_error_code, u8>,
+                    between<0, 2>,
+                    one_of<255>>>,
             string<&T::error_message, count<"error_message_size", u8>>>;
     };
 };
@@ -311,14 +337,16 @@ struct video_illuminator_error_rec {
         using type = layout<
             field<&T::illuminator_id, u16le>,
             field<&T::video_illuminator_error_rec_code,
-                enumeration<environment_sensing::video_illuminator_error_rec_code, u8>>,
+                in_value_set<
+                    enumeration<environment_sensing::video_illuminator_error_rec_code, u8>,
+                    between<0, 3>,
+                    one_of<255>>>,
             string<&T::error_message, count<"error_message_size", u8>>>;
     };
 };
 
-/// Variant ConfirmSensorConfigurationVariant: `tag` is the number of the alternative.
+/// Variant ConfirmSensorConfigurationVariant.
 struct confirm_sensor_configuration_variant {
-    std::uint8_t tag{};
     std::variant<
         shared_sensor_id_rec,
         range_sensor_error_rec,
@@ -336,23 +364,11 @@ struct confirm_sensor_configuration_variant {
 
     struct schema : wire::items {
         using T = confirm_sensor_configuration_variant;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, shared_sensor_id_rec>,
-                when<1, range_sensor_error_rec>,
-                when<2, visual_sensor_error_rec>,
-                when<3, digital_video_sensor_error_rec>,
-                when<4, analog_video_sensor_error_rec>,
-                when<5, still_image_sensor_error_rec>,
-                when<6, h264_video_encoding_error_rec>,
-                when<7, digital_audio_sensor_error_rec>,
-                when<8, digital_audio_output_error_rec>,
-                when<9, video_illuminator_error_rec>>>;
+        using type = layout<variant<&T::value, u8>>;
     };
 };
 
-/// ConfirmSensorConfiguration: code 0801h, output of DigitalAudioOutput, RangeSensor, VideoIlluminator, VisualSensor.
+/// ConfirmSensorConfiguration: ID 0801h, output of DigitalAudioOutput, RangeSensor, VideoIlluminator, VisualSensor.
 struct confirm_sensor_configuration {
     shared_request_id_rec request_id_rec{};
     wire::list<confirm_sensor_configuration_variant> confirm_sensor_list{}; ///< up to 65535 elements
@@ -361,12 +377,13 @@ struct confirm_sensor_configuration {
         const confirm_sensor_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0801;
+        static constexpr std::uint16_t message_id = 0x0801;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = confirm_sensor_configuration;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             nested<&T::request_id_rec>,
-            repeated<&T::confirm_sensor_list, count<"confirm_sensor_list_count", u16le>>>;
+            repeated<&T::confirm_sensor_list, count<"number_of_confirm_sensor_list", u16le>>>;
     };
 };
 
@@ -654,7 +671,7 @@ enum class sensor_state : std::uint8_t {
     off = 2,
 };
 
-/// QuerySensorGeometricProperties: code 2805h, input of RangeSensor, VisualSensor.
+/// QuerySensorGeometricProperties: ID 2805h, input of RangeSensor, VisualSensor.
 struct query_sensor_geometric_properties {
     wire::list<sensor_id_query_rec> sensor_id_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -662,10 +679,12 @@ struct query_sensor_geometric_properties {
         const query_sensor_geometric_properties&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2805;
+        static constexpr std::uint16_t message_id = 0x2805;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_sensor_geometric_properties;
-        using type = layout<repeated<&T::sensor_id_list, count<"sensor_id_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::sensor_id_list, count<"number_of_sensor_id_list", u16le>>>;
     };
 };
 
@@ -724,24 +743,22 @@ struct time_stamp {
         using T = time_stamp;
         using type = layout<
             bit_fields<u32le,
-                bit_field<&T::milliseconds, 10>,
-                bit_field<&T::seconds, 6>,
-                bit_field<&T::minutes, 6>,
-                bit_field<&T::hour, 5>,
-                bit_field<&T::day, 5>>>;
+                bit_field_in_set<&T::milliseconds, 10, between<0, 999>>,
+                bit_field_in_set<&T::seconds, 6, between<0, 59>>,
+                bit_field_in_set<&T::minutes, 6, between<0, 59>>,
+                bit_field_in_set<&T::hour, 5, between<0, 23>>,
+                bit_field_in_set<&T::day, 5, between<1, 31>>>>;
     };
 };
 
-/// Variant NoGeometricPropertiesVariant: the tag alone.
+/// Variant NoGeometricPropertiesVariant, which has no alternative.
 struct no_geometric_properties_variant {
-    std::uint8_t tag{}; ///< 0
     friend constexpr bool operator==(
         const no_geometric_properties_variant&,
         const no_geometric_properties_variant&) = default;
 
     struct schema : wire::items {
-        using T = no_geometric_properties_variant;
-        using type = layout<field<&T::tag, u8>>;
+        using type = layout<constant<"index", u8, 0>>;
     };
 };
 
@@ -785,32 +802,13 @@ struct manipulator_geometric_properties_rec {
     };
 };
 
-/// Variant GeometricPropertiesVariant: `tag` is the number of the alternative.
-struct geometric_properties_variant {
-    std::uint8_t tag{};
-    std::variant<
-        no_geometric_properties_variant,
-        static_geometric_properties_rec,
-        manipulator_geometric_properties_rec> value{};
-    friend constexpr bool operator==(
-        const geometric_properties_variant&,
-        const geometric_properties_variant&) = default;
-
-    struct schema : wire::items {
-        using T = geometric_properties_variant;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, no_geometric_properties_variant>,
-                when<1, static_geometric_properties_rec>,
-                when<2, manipulator_geometric_properties_rec>>>;
-    };
-};
-
 /// Sequence GeometricPropertiesSequence.
 struct geometric_properties_sequence {
     shared_sensor_id_rec sensor_id_rec{};
-    environment_sensing::geometric_properties_variant geometric_properties_variant{};
+    std::variant<
+        no_geometric_properties_variant,
+        static_geometric_properties_rec,
+        manipulator_geometric_properties_rec> geometric_properties_variant{};
     friend constexpr bool operator==(
         const geometric_properties_sequence&,
         const geometric_properties_sequence&) = default;
@@ -819,11 +817,11 @@ struct geometric_properties_sequence {
         using T = geometric_properties_sequence;
         using type = layout<
             nested<&T::sensor_id_rec>,
-            nested<&T::geometric_properties_variant>>;
+            variant<&T::geometric_properties_variant, u8>>;
     };
 };
 
-/// ReportSensorGeometricProperties: code 4805h, output of RangeSensor, VisualSensor.
+/// ReportSensorGeometricProperties: ID 4805h, output of RangeSensor, VisualSensor.
 struct report_sensor_geometric_properties {
     wire::list<geometric_properties_sequence> geometric_properties_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -831,10 +829,12 @@ struct report_sensor_geometric_properties {
         const report_sensor_geometric_properties&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4805;
+        static constexpr std::uint16_t message_id = 0x4805;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_sensor_geometric_properties;
-        using type = layout<repeated<&T::geometric_properties_list, count<"geometric_properties_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::geometric_properties_list, count<"number_of_geometric_properties_list", u16le>>>;
     };
 };
 

@@ -54,13 +54,14 @@ struct still_image_sensor_configuration_rec {
         using T = still_image_sensor_configuration_rec;
         using type = layout<
             presence<u8,
-                field<&T::sensor_id, u16le>,
-                field<&T::frame_size, enumeration<environment_sensing::frame_size, u8>>,
-                field<&T::still_image_format, enumeration<environment_sensing::still_image_format, u8>>>>;
+                field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
+                field<&T::frame_size, in_value_set<enumeration<environment_sensing::frame_size, u8>, between<0, 28>>>,
+                field<&T::still_image_format,
+                    in_value_set<enumeration<environment_sensing::still_image_format, u8>, between<0, 10>>>>>;
     };
 };
 
-/// SetStillImageSensorConfiguration: code 0807h, command, input of StillImage.
+/// SetStillImageSensorConfiguration: ID 0807h, command, input of StillImage.
 struct set_still_image_sensor_configuration {
     still_image_request_id_rec request_id_rec{};
     wire::list<still_image_sensor_configuration_rec> still_image_sensor_list{}; ///< up to 65535 elements
@@ -69,12 +70,13 @@ struct set_still_image_sensor_configuration {
         const set_still_image_sensor_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0807;
+        static constexpr std::uint16_t message_id = 0x0807;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_still_image_sensor_configuration;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             nested<&T::request_id_rec>,
-            repeated<&T::still_image_sensor_list, count<"still_image_sensor_list_count", u16le>>>;
+            repeated<&T::still_image_sensor_list, count<"number_of_still_image_sensor_list", u16le>>>;
     };
 };
 
@@ -89,22 +91,24 @@ struct query_still_image_data_rec {
         using T = query_still_image_data_rec;
         using type = layout<
             field<&T::sensor_id, enumeration<environment_sensing::sensor_id, u16le>>,
-            field<&T::report_coordinate_system, enumeration<environment_sensing::report_coordinate_system, u8>>,
+            field<&T::report_coordinate_system,
+                in_value_set<enumeration<environment_sensing::report_coordinate_system, u8>, between<0, 1>>>,
             field<&T::query_presence_vector, u8>>;
     };
 };
 
-/// QueryStillImageDataExt: code 281Ch, input of StillImage.
+/// QueryStillImageDataExt: ID 281Ch, input of StillImage.
 struct query_still_image_data_ext {
     wire::list<query_still_image_data_rec> query_still_image_data_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(const query_still_image_data_ext&, const query_still_image_data_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x281C;
+        static constexpr std::uint16_t message_id = 0x281C;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_still_image_data_ext;
         using type = layout<
-            repeated<&T::query_still_image_data_list, count<"query_still_image_data_list_count", u16le>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::query_still_image_data_list, count<"number_of_query_still_image_data_list", u16le>>>;
     };
 };
 
@@ -124,7 +128,7 @@ struct query_still_image_sensor_configuration_rec {
     };
 };
 
-/// QueryStillImageSensorConfiguration: code 2813h, input of StillImage.
+/// QueryStillImageSensorConfiguration: ID 2813h, input of StillImage.
 struct query_still_image_sensor_configuration {
     /// up to 65535 elements
     wire::list<query_still_image_sensor_configuration_rec> query_still_image_sensor_configuration_list{};
@@ -133,12 +137,13 @@ struct query_still_image_sensor_configuration {
         const query_still_image_sensor_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2813;
+        static constexpr std::uint16_t message_id = 0x2813;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_still_image_sensor_configuration;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             repeated<&T::query_still_image_sensor_configuration_list,
-                count<"query_still_image_sensor_configuration_list_count", u16le>>>;
+                count<"number_of_query_still_image_sensor_configuration_list", u16le>>>;
     };
 };
 
@@ -158,7 +163,7 @@ struct query_still_image_sensor_capabilities_rec {
     };
 };
 
-/// QueryStillImageSensorCapabilities: code 2812h, input of StillImage.
+/// QueryStillImageSensorCapabilities: ID 2812h, input of StillImage.
 struct query_still_image_sensor_capabilities {
     /// up to 65535 elements
     wire::list<query_still_image_sensor_capabilities_rec> query_still_image_sensor_capabilities_list{};
@@ -167,12 +172,13 @@ struct query_still_image_sensor_capabilities {
         const query_still_image_sensor_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2812;
+        static constexpr std::uint16_t message_id = 0x2812;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_still_image_sensor_capabilities;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             repeated<&T::query_still_image_sensor_capabilities_list,
-                count<"query_still_image_sensor_capabilities_list_count", u16le>>>;
+                count<"number_of_query_still_image_sensor_capabilities_list", u16le>>>;
     };
 };
 
@@ -194,14 +200,14 @@ enum class image_frame_format : std::uint8_t {
 /// ImageFrame: octets in the format that is named before them.
 struct image_frame {
     image_frame_format format{};
-    wire::blob value{}; ///< up to 2147483647 octets
+    wire::blob data{}; ///< up to 2147483647 octets
     friend constexpr bool operator==(const image_frame&, const image_frame&) = default;
 
     struct schema : wire::items {
         using T = image_frame;
         using type = layout<
-            field<&T::format, enumeration<image_frame_format, u8>>,
-            bytes<&T::value, count<"value_size", u32le>>>;
+            field<&T::format, in_value_set<enumeration<image_frame_format, u8>, between<0, 10>>>,
+            bytes<&T::data, count_between<"data_size", u32le, 0, 2147483647>>>;
     };
 };
 
@@ -218,28 +224,31 @@ struct still_image_data_rec {
         using T = still_image_data_rec;
         using type = layout<
             presence<u8,
-                field<&T::sensor_id, u16le>,
-                field<&T::report_coordinate_system, enumeration<environment_sensing::report_coordinate_system, u8>>,
+                field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
+                field<&T::report_coordinate_system,
+                    in_value_set<enumeration<environment_sensing::report_coordinate_system, u8>, between<0, 1>>>,
                 nested<&T::time_stamp>,
                 nested<&T::image_frame>,
                 string<&T::still_image_uri, count<"still_image_uri_size", u8>>>>;
     };
 };
 
-/// ReportStillImageDataExt: code 481Ch, output of StillImage.
+/// ReportStillImageDataExt: ID 481Ch, output of StillImage.
 struct report_still_image_data_ext {
     wire::list<still_image_data_rec> still_image_data_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(const report_still_image_data_ext&, const report_still_image_data_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x481C;
+        static constexpr std::uint16_t message_id = 0x481C;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_still_image_data_ext;
-        using type = layout<repeated<&T::still_image_data_list, count<"still_image_data_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::still_image_data_list, count<"number_of_still_image_data_list", u16le>>>;
     };
 };
 
-/// ReportStillImageSensorConfiguration: code 4813h, output of StillImage.
+/// ReportStillImageSensorConfiguration: ID 4813h, output of StillImage.
 struct report_still_image_sensor_configuration {
     wire::list<still_image_sensor_configuration_rec> still_image_sensor_configuration_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -247,12 +256,13 @@ struct report_still_image_sensor_configuration {
         const report_still_image_sensor_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4813;
+        static constexpr std::uint16_t message_id = 0x4813;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_still_image_sensor_configuration;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             repeated<&T::still_image_sensor_configuration_list,
-                count<"still_image_sensor_configuration_list_count", u16le>>>;
+                count<"number_of_still_image_sensor_configuration_list", u16le>>>;
     };
 };
 
@@ -369,13 +379,13 @@ struct still_image_sensor_capabilities_rec {
         using T = still_image_sensor_capabilities_rec;
         using type = layout<
             presence<u8,
-                field<&T::sensor_id, u16le>,
+                field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 nested<&T::supported_frame_sizes>,
                 nested<&T::supported_image_formats>>>;
     };
 };
 
-/// ReportStillImageSensorCapabilities: code 4812h, output of StillImage.
+/// ReportStillImageSensorCapabilities: ID 4812h, output of StillImage.
 struct report_still_image_sensor_capabilities {
     wire::list<still_image_sensor_capabilities_rec> still_image_sensor_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -383,10 +393,12 @@ struct report_still_image_sensor_capabilities {
         const report_still_image_sensor_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4812;
+        static constexpr std::uint16_t message_id = 0x4812;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_still_image_sensor_capabilities;
-        using type = layout<repeated<&T::still_image_sensor_list, count<"still_image_sensor_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::still_image_sensor_list, count<"number_of_still_image_sensor_list", u16le>>>;
     };
 };
 

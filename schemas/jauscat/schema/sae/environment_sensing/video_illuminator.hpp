@@ -51,13 +51,13 @@ struct illuminator_rec {
             presence<u8,
                 field<&T::illuminator_id, u16le>,
                 field<&T::level, scaled<u16le, percent_0_to_100>>,
-                field<&T::mode, enumeration<environment_sensing::mode, u8>>,
+                field<&T::mode, in_value_set<enumeration<environment_sensing::mode, u8>, between<0, 31>>>,
                 field<&T::beam_width, scaled<u16le, degree_0_to_360>>,
                 field<&T::beam_height, scaled<u16le, degree_0_to_360>>>>;
     };
 };
 
-/// SetVideoIlluminatorConfiguration: code 081Ah, command, input of VideoIlluminator.
+/// SetVideoIlluminatorConfiguration: ID 081Ah, command, input of VideoIlluminator.
 struct set_video_illuminator_configuration {
     video_illuminator_request_id_rec request_id_rec{};
     wire::list<illuminator_rec> illuminator_list{}; ///< up to 65535 elements
@@ -66,12 +66,13 @@ struct set_video_illuminator_configuration {
         const set_video_illuminator_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x081A;
+        static constexpr std::uint16_t message_id = 0x081A;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_video_illuminator_configuration;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             nested<&T::request_id_rec>,
-            repeated<&T::illuminator_list, count<"illuminator_list_count", u16le>>>;
+            repeated<&T::illuminator_list, count<"number_of_illuminator_list", u16le>>>;
     };
 };
 
@@ -86,7 +87,7 @@ struct illuminator_id_rec {
     };
 };
 
-/// QueryVideoIlluminatorConfiguration: code 281Ah, input of VideoIlluminator.
+/// QueryVideoIlluminatorConfiguration: ID 281Ah, input of VideoIlluminator.
 struct query_video_illuminator_configuration {
     wire::list<illuminator_id_rec> illuminator_id_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -94,14 +95,16 @@ struct query_video_illuminator_configuration {
         const query_video_illuminator_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x281A;
+        static constexpr std::uint16_t message_id = 0x281A;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_video_illuminator_configuration;
-        using type = layout<repeated<&T::illuminator_id_list, count<"illuminator_id_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::illuminator_id_list, count<"number_of_illuminator_id_list", u16le>>>;
     };
 };
 
-/// QueryVideoIlluminatorCapabilities: code 281Bh, input of VideoIlluminator.
+/// QueryVideoIlluminatorCapabilities: ID 281Bh, input of VideoIlluminator.
 struct query_video_illuminator_capabilities {
     wire::list<illuminator_id_rec> illuminator_id_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -109,14 +112,16 @@ struct query_video_illuminator_capabilities {
         const query_video_illuminator_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x281B;
+        static constexpr std::uint16_t message_id = 0x281B;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_video_illuminator_capabilities;
-        using type = layout<repeated<&T::illuminator_id_list, count<"illuminator_id_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::illuminator_id_list, count<"number_of_illuminator_id_list", u16le>>>;
     };
 };
 
-/// ReportVideoIlluminatorConfiguration: code 481Ah, output of VideoIlluminator.
+/// ReportVideoIlluminatorConfiguration: ID 481Ah, output of VideoIlluminator.
 struct report_video_illuminator_configuration {
     wire::list<illuminator_rec> illumination_rec_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -124,10 +129,12 @@ struct report_video_illuminator_configuration {
         const report_video_illuminator_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x481A;
+        static constexpr std::uint16_t message_id = 0x481A;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_video_illuminator_configuration;
-        using type = layout<repeated<&T::illumination_rec_list, count<"illumination_rec_list_count", u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::illumination_rec_list, count<"number_of_illumination_rec_list", u16le>>>;
     };
 };
 
@@ -175,8 +182,8 @@ struct supported_illumination_modes {
                 bit_field<&T::infrared, 1>,
                 bit_field<&T::grey_scale, 1>,
                 bit_field<&T::low_light, 1>,
-                bit_field<&T::reserved_for_future_use, 17>,
-                bit_field<&T::reserved_for_program_or_implementation_specific_use, 11>>>;
+                bit_field_in_set<&T::reserved_for_future_use, 17, between<0, 1>>,
+                bit_field_in_set<&T::reserved_for_program_or_implementation_specific_use, 11, between<0, 1>>>>;
     };
 };
 
@@ -236,11 +243,11 @@ struct illuminator_capabilities_seq {
         using T = illuminator_capabilities_seq;
         using type = layout<
             nested<&T::illuminator_capabilities_rec>,
-            repeated<&T::sensor_id_list, count<"sensor_id_list_count", u8>>>;
+            repeated<&T::sensor_id_list, count<"number_of_sensor_id_list", u8>>>;
     };
 };
 
-/// ReportVideoIlluminatorCapabilities: code 481Bh, output of VideoIlluminator.
+/// ReportVideoIlluminatorCapabilities: ID 481Bh, output of VideoIlluminator.
 struct report_video_illuminator_capabilities {
     wire::list<illuminator_capabilities_seq> illuminator_capabilities_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -248,11 +255,12 @@ struct report_video_illuminator_capabilities {
         const report_video_illuminator_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x481B;
+        static constexpr std::uint16_t message_id = 0x481B;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_video_illuminator_capabilities;
         using type = layout<
-            repeated<&T::illuminator_capabilities_list, count<"illuminator_capabilities_list_count", u16le>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::illuminator_capabilities_list, count<"number_of_illuminator_capabilities_list", u16le>>>;
     };
 };
 

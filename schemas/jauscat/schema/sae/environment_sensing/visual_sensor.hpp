@@ -31,7 +31,7 @@ struct query_visual_sensor_configuration_rec {
     };
 };
 
-/// QueryVisualSensorConfiguration: code 2807h, input of VisualSensor.
+/// QueryVisualSensorConfiguration: ID 2807h, input of VisualSensor.
 struct query_visual_sensor_configuration {
     /// up to 65535 elements
     wire::list<query_visual_sensor_configuration_rec> query_visual_sensor_configuration_list{};
@@ -40,12 +40,13 @@ struct query_visual_sensor_configuration {
         const query_visual_sensor_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2807;
+        static constexpr std::uint16_t message_id = 0x2807;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_visual_sensor_configuration;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             repeated<&T::query_visual_sensor_configuration_list,
-                count<"query_visual_sensor_configuration_list_count", u16le>>>;
+                count<"number_of_query_visual_sensor_configuration_list", u16le>>>;
     };
 };
 
@@ -65,7 +66,7 @@ struct query_visual_sensor_capabilities_query_visual_sensor_capabilities_rec {
     };
 };
 
-/// QueryVisualSensorCapabilities: code 2806h, deprecated, input of VisualSensor.
+/// QueryVisualSensorCapabilities: ID 2806h, deprecated, input of VisualSensor.
 struct query_visual_sensor_capabilities {
     /// up to 65535 elements
     wire::list<
@@ -75,12 +76,13 @@ struct query_visual_sensor_capabilities {
         const query_visual_sensor_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2806;
+        static constexpr std::uint16_t message_id = 0x2806;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = query_visual_sensor_capabilities;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             repeated<&T::query_visual_sensor_capabilities_list,
-                count<"query_visual_sensor_capabilities_list_count", u16le>>>;
+                count<"number_of_query_visual_sensor_capabilities_list", u16le>>>;
     };
 };
 
@@ -100,7 +102,7 @@ struct query_visual_sensor_capabilities_ext_query_visual_sensor_capabilities_rec
     };
 };
 
-/// QueryVisualSensorCapabilitiesExt: code 280Ah, input of VisualSensor.
+/// QueryVisualSensorCapabilitiesExt: ID 280Ah, input of VisualSensor.
 struct query_visual_sensor_capabilities_ext {
     /// up to 65535 elements
     wire::list<query_visual_sensor_capabilities_ext_query_visual_sensor_capabilities_rec>
@@ -110,12 +112,13 @@ struct query_visual_sensor_capabilities_ext {
         const query_visual_sensor_capabilities_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x280A;
+        static constexpr std::uint16_t message_id = 0x280A;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_visual_sensor_capabilities_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             repeated<&T::query_visual_sensor_capabilities_list,
-                count<"query_visual_sensor_capabilities_list_count", u16le>>>;
+                count<"number_of_query_visual_sensor_capabilities_list", u16le>>>;
     };
 };
 
@@ -227,27 +230,35 @@ struct visual_sensor_configuration_rec {
         using T = visual_sensor_configuration_rec;
         using type = layout<
             presence<u16le,
-                field<&T::sensor_id, u16le>,
-                field<&T::sensor_state, enumeration<environment_sensing::sensor_state, u8>>,
-                field<&T::zoom_mode, enumeration<environment_sensing::zoom_mode, u8>>,
+                field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
+                field<&T::sensor_state,
+                    in_value_set<enumeration<environment_sensing::sensor_state, u8>, between<0, 2>>>,
+                field<&T::zoom_mode, in_value_set<enumeration<environment_sensing::zoom_mode, u8>, between<0, 3>>>,
                 field<&T::zoom_level, scaled<u16le, percent_0_to_100>>,
                 field<&T::focal_length, scaled<u32le, meter_0_to_2>>,
                 field<&T::horizontal_field_of_view, scaled<u32le, radian_minus_pi_to_pi>>,
                 field<&T::vertical_field_of_view, scaled<u32le, radian_minus_pi_to_pi>>,
-                field<&T::focus_mode, enumeration<environment_sensing::focus_mode, u8>>,
+                field<&T::focus_mode, in_value_set<enumeration<environment_sensing::focus_mode, u8>, between<0, 1>>>,
                 field<&T::focus_value, scaled<u16le, percent_0_to_100>>,
-                field<&T::white_balance, enumeration<set_visual_sensor_configuration_white_balance, u8>>,
-                field<&T::imaging_mode, enumeration<environment_sensing::imaging_mode, u8>>,
-                field<&T::exposure_mode, enumeration<environment_sensing::exposure_mode, u8>>,
-                field<&T::metering_mode, enumeration<environment_sensing::metering_mode, u8>>,
+                field<&T::white_balance,
+                    in_value_set<enumeration<set_visual_sensor_configuration_white_balance, u8>, between<0, 6>>>,
+                field<&T::imaging_mode,
+                    in_value_set<enumeration<environment_sensing::imaging_mode, u8>, between<0, 31>>>,
+                field<&T::exposure_mode,
+                    in_value_set<enumeration<environment_sensing::exposure_mode, u8>, between<0, 3>>>,
+                field<&T::metering_mode,
+                    in_value_set<enumeration<environment_sensing::metering_mode, u8>, between<0, 2>>>,
                 field<&T::shutter_speed, scaled<u16le, second_0_to_60>>,
                 field<&T::aperture, scaled<u16le, one_0_1_to_128>>,
-                field<&T::light_sensitivity, enumeration<environment_sensing::light_sensitivity, u8>>,
-                field<&T::image_stabilization, enumeration<set_visual_sensor_configuration_image_stabilization, u8>>>>;
+                field<&T::light_sensitivity,
+                    in_value_set<enumeration<environment_sensing::light_sensitivity, u8>, between<0, 6>>>,
+                field<&T::image_stabilization,
+                    in_value_set<enumeration<set_visual_sensor_configuration_image_stabilization, u8>,
+                        between<0, 1>>>>>;
     };
 };
 
-/// SetVisualSensorConfiguration: code 0803h, command, input of VisualSensor.
+/// SetVisualSensorConfiguration: ID 0803h, command, input of VisualSensor.
 struct set_visual_sensor_configuration {
     visual_sensor_request_id_rec request_id_rec{};
     wire::list<visual_sensor_configuration_rec> visual_sensor_configuration_list{}; ///< up to 65535 elements
@@ -256,16 +267,17 @@ struct set_visual_sensor_configuration {
         const set_visual_sensor_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0803;
+        static constexpr std::uint16_t message_id = 0x0803;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_visual_sensor_configuration;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             nested<&T::request_id_rec>,
-            repeated<&T::visual_sensor_configuration_list, count<"visual_sensor_configuration_list_count", u16le>>>;
+            repeated<&T::visual_sensor_configuration_list, count<"number_of_visual_sensor_configuration_list", u16le>>>;
     };
 };
 
-/// ReportVisualSensorConfiguration: code 4807h, output of VisualSensor.
+/// ReportVisualSensorConfiguration: ID 4807h, output of VisualSensor.
 struct report_visual_sensor_configuration {
     wire::list<visual_sensor_configuration_rec> visual_sensor_configuration_list{}; ///< up to 65535 elements
     friend constexpr bool operator==(
@@ -273,11 +285,12 @@ struct report_visual_sensor_configuration {
         const report_visual_sensor_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4807;
+        static constexpr std::uint16_t message_id = 0x4807;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_visual_sensor_configuration;
         using type = layout<
-            repeated<&T::visual_sensor_configuration_list, count<"visual_sensor_configuration_list_count", u16le>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::visual_sensor_configuration_list, count<"number_of_visual_sensor_configuration_list", u16le>>>;
     };
 };
 
@@ -397,7 +410,7 @@ enum class flash : std::uint8_t {
 
 /// Bits of WhiteBalance.
 struct report_visual_sensor_capabilities_white_balance {
-    auto_type auto_field{};
+    auto_type auto_{};
     environment_sensing::daylight daylight{};
     environment_sensing::cloudy cloudy{};
     environment_sensing::shade shade{};
@@ -412,7 +425,7 @@ struct report_visual_sensor_capabilities_white_balance {
         using T = report_visual_sensor_capabilities_white_balance;
         using type = layout<
             bit_fields<u8,
-                bit_field<&T::auto_field, 1>,
+                bit_field<&T::auto_, 1>,
                 bit_field<&T::daylight, 1>,
                 bit_field<&T::cloudy, 1>,
                 bit_field<&T::shade, 1>,
@@ -495,7 +508,7 @@ struct report_visual_sensor_capabilities_imaging_modes {
                 bit_field<&T::thermal_white_hot, 1>,
                 bit_field<&T::thermal_black_hot, 1>,
                 bit_field<&T::thermal_rainbow, 1>,
-                bit_field<&T::reserved_for_future_use, 1>>>;
+                bit_field_in_set<&T::reserved_for_future_use, 1, one_of<0>>>>;
     };
 };
 
@@ -519,7 +532,7 @@ enum class aperture_priority : std::uint8_t {
 
 /// Bits of ExposureModes.
 struct exposure_modes {
-    auto_type auto_field{};
+    auto_type auto_{};
     environment_sensing::manual manual{};
     environment_sensing::shutter_priority shutter_priority{};
     environment_sensing::aperture_priority aperture_priority{};
@@ -529,7 +542,7 @@ struct exposure_modes {
         using T = exposure_modes;
         using type = layout<
             bit_fields<u8,
-                bit_field<&T::auto_field, 1>,
+                bit_field<&T::auto_, 1>,
                 bit_field<&T::manual, 1>,
                 bit_field<&T::shutter_priority, 1>,
                 bit_field<&T::aperture_priority, 1>,
@@ -611,7 +624,7 @@ enum class iso3200 : std::uint8_t {
 
 /// Bits of LightSensitivityLevels.
 struct light_sensitivity_levels {
-    auto_type auto_field{};
+    auto_type auto_{};
     environment_sensing::iso100 iso100{};
     environment_sensing::iso200 iso200{};
     environment_sensing::iso400 iso400{};
@@ -624,7 +637,7 @@ struct light_sensitivity_levels {
         using T = light_sensitivity_levels;
         using type = layout<
             bit_fields<u8,
-                bit_field<&T::auto_field, 1>,
+                bit_field<&T::auto_, 1>,
                 bit_field<&T::iso100, 1>,
                 bit_field<&T::iso200, 1>,
                 bit_field<&T::iso400, 1>,
@@ -668,7 +681,7 @@ struct report_visual_sensor_capabilities_visual_sensor_capabilities_rec {
         using T = report_visual_sensor_capabilities_visual_sensor_capabilities_rec;
         using type = layout<
             presence<u16le,
-                field<&T::sensor_id, u16le>,
+                field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 string<&T::sensor_name, count<"sensor_name_size", u8>>,
                 nested<&T::supported_states>,
                 nested<&T::zoom_modes>,
@@ -685,11 +698,12 @@ struct report_visual_sensor_capabilities_visual_sensor_capabilities_rec {
                 field<&T::maximum_focal_length, scaled<u32le, meter_0_to_2>>,
                 nested<&T::light_sensitivity_levels>,
                 field<&T::image_stabilization,
-                    enumeration<report_visual_sensor_capabilities_image_stabilization, u8>>>>;
+                    in_value_set<enumeration<report_visual_sensor_capabilities_image_stabilization, u8>,
+                        between<0, 1>>>>>;
     };
 };
 
-/// ReportVisualSensorCapabilities: code 4806h, deprecated, output of VisualSensor.
+/// ReportVisualSensorCapabilities: ID 4806h, deprecated, output of VisualSensor.
 struct report_visual_sensor_capabilities {
     /// up to 65535 elements
     wire::list<report_visual_sensor_capabilities_visual_sensor_capabilities_rec> visual_sensor_capabilities_list{};
@@ -698,17 +712,18 @@ struct report_visual_sensor_capabilities {
         const report_visual_sensor_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4806;
+        static constexpr std::uint16_t message_id = 0x4806;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = report_visual_sensor_capabilities;
         using type = layout<
-            repeated<&T::visual_sensor_capabilities_list, count<"visual_sensor_capabilities_list_count", u16le>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::visual_sensor_capabilities_list, count<"number_of_visual_sensor_capabilities_list", u16le>>>;
     };
 };
 
 /// Bits of WhiteBalance.
 struct report_visual_sensor_capabilities_ext_white_balance {
-    auto_type auto_field{};
+    auto_type auto_{};
     environment_sensing::daylight daylight{};
     environment_sensing::cloudy cloudy{};
     environment_sensing::shade shade{};
@@ -723,7 +738,7 @@ struct report_visual_sensor_capabilities_ext_white_balance {
         using T = report_visual_sensor_capabilities_ext_white_balance;
         using type = layout<
             bit_fields<u8,
-                bit_field<&T::auto_field, 1>,
+                bit_field<&T::auto_, 1>,
                 bit_field<&T::daylight, 1>,
                 bit_field<&T::cloudy, 1>,
                 bit_field<&T::shade, 1>,
@@ -770,8 +785,8 @@ struct report_visual_sensor_capabilities_ext_imaging_modes {
                 bit_field<&T::thermal_white_hot, 1>,
                 bit_field<&T::thermal_black_hot, 1>,
                 bit_field<&T::thermal_rainbow, 1>,
-                bit_field<&T::reserved_for_future_use, 14>,
-                bit_field<&T::reserved_for_program_specific_use, 11>>>;
+                bit_field_in_set<&T::reserved_for_future_use, 14, one_of<0>>,
+                bit_field_in_set<&T::reserved_for_program_specific_use, 11, one_of<0>>>>;
     };
 };
 
@@ -812,7 +827,7 @@ struct report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec {
         using T = report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec;
         using type = layout<
             presence<u32le,
-                field<&T::sensor_id, u16le>,
+                field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 string<&T::sensor_name, count<"sensor_name_size", u8>>,
                 nested<&T::supported_states>,
                 nested<&T::zoom_modes>,
@@ -829,7 +844,8 @@ struct report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec {
                 field<&T::maximum_focal_length, scaled<u32le, meter_0_to_2>>,
                 nested<&T::light_sensitivity_levels>,
                 field<&T::image_stabilization,
-                    enumeration<report_visual_sensor_capabilities_ext_image_stabilization, u8>>,
+                    in_value_set<enumeration<report_visual_sensor_capabilities_ext_image_stabilization, u8>,
+                        between<0, 1>>>,
                 field<&T::minimum_horizontal_field_of_view, scaled<u32le, radian_minus_pi_to_pi>>,
                 field<&T::maximum_horizontal_field_of_view, scaled<u32le, radian_minus_pi_to_pi>>,
                 field<&T::minimum_vertical_field_of_view, scaled<u32le, radian_minus_pi_to_pi>>,
@@ -837,7 +853,7 @@ struct report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec {
     };
 };
 
-/// ReportVisualSensorCapabilitiesExt: code 480Ah, output of VisualSensor.
+/// ReportVisualSensorCapabilitiesExt: ID 480Ah, output of VisualSensor.
 struct report_visual_sensor_capabilities_ext {
     /// up to 65535 elements
     wire::list<report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec> visual_sensor_capabilities_list{};
@@ -846,11 +862,12 @@ struct report_visual_sensor_capabilities_ext {
         const report_visual_sensor_capabilities_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x480A;
+        static constexpr std::uint16_t message_id = 0x480A;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_visual_sensor_capabilities_ext;
         using type = layout<
-            repeated<&T::visual_sensor_capabilities_list, count<"visual_sensor_capabilities_list_count", u16le>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::visual_sensor_capabilities_list, count<"number_of_visual_sensor_capabilities_list", u16le>>>;
     };
 };
 

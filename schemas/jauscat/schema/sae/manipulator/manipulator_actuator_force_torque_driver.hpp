@@ -15,33 +15,35 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// QueryCommandedActuatorForceTorques: code 2613h, input of ManipulatorActuatorForceTorqueDriver.
+/// QueryCommandedActuatorForceTorques: ID 2613h, input of ManipulatorActuatorForceTorqueDriver.
 struct query_commanded_actuator_force_torques {
     friend constexpr bool operator==(
         const query_commanded_actuator_force_torques&,
         const query_commanded_actuator_force_torques&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2613;
+        static constexpr std::uint16_t message_id = 0x2613;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// SetActuatorForceTorques: code 0613h, command, input of ManipulatorActuatorForceTorqueDriver.
+/// SetActuatorForceTorques: ID 0613h, command, input of ManipulatorActuatorForceTorqueDriver.
 struct set_actuator_force_torques {
     wire::list<actuator_force_torque_rec> actuator_force_torque_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const set_actuator_force_torques&, const set_actuator_force_torques&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0613;
+        static constexpr std::uint16_t message_id = 0x0613;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_actuator_force_torques;
-        using type = layout<repeated<&T::actuator_force_torque_list, count<"actuator_force_torque_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::actuator_force_torque_list, count<"number_of_actuator_force_torque_list", u8>>>;
     };
 };
 
-/// ReportCommandedActuatorForceTorques: code 4613h, output of ManipulatorActuatorForceTorqueDriver.
+/// ReportCommandedActuatorForceTorques: ID 4613h, output of ManipulatorActuatorForceTorqueDriver.
 struct report_commanded_actuator_force_torques {
     wire::list<actuator_force_torque_rec> actuator_force_torque_list{}; ///< up to 255 elements
     friend constexpr bool operator==(
@@ -49,10 +51,12 @@ struct report_commanded_actuator_force_torques {
         const report_commanded_actuator_force_torques&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4613;
+        static constexpr std::uint16_t message_id = 0x4613;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_commanded_actuator_force_torques;
-        using type = layout<repeated<&T::actuator_force_torque_list, count<"actuator_force_torque_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::actuator_force_torque_list, count<"number_of_actuator_force_torque_list", u8>>>;
     };
 };
 

@@ -15,7 +15,7 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// SetEndEffectorPose: code 0610h, command, input of ManipulatorEndEffectorPoseDriver.
+/// SetEndEffectorPose: ID 0610h, command, input of ManipulatorEndEffectorPoseDriver.
 struct set_end_effector_pose {
     double tool_point_coordinate_x{};          ///< meter, -30 to 30
     double tool_point_coordinate_y{};          ///< meter, -30 to 30
@@ -27,10 +27,11 @@ struct set_end_effector_pose {
     friend constexpr bool operator==(const set_end_effector_pose&, const set_end_effector_pose&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0610;
+        static constexpr std::uint16_t message_id = 0x0610;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_end_effector_pose;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::tool_point_coordinate_x, scaled<u32le, meter_minus_30_to_30>>,
             field<&T::tool_point_coordinate_y, scaled<u32le, meter_minus_30_to_30>>,
             field<&T::tool_point_coordinate_z, scaled<u32le, meter_minus_30_to_30>>,

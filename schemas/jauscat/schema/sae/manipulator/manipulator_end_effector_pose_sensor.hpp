@@ -15,18 +15,18 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// QueryEndEffectorPose: code 2615h, input of ManipulatorEndEffectorPoseSensor.
+/// QueryEndEffectorPose: ID 2615h, input of ManipulatorEndEffectorPoseSensor.
 struct query_end_effector_pose {
     friend constexpr bool operator==(const query_end_effector_pose&, const query_end_effector_pose&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2615;
+        static constexpr std::uint16_t message_id = 0x2615;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportEndEffectorPose: code 4615h, output of ManipulatorEndEffectorPoseSensor.
+/// ReportEndEffectorPose: ID 4615h, output of ManipulatorEndEffectorPoseSensor.
 struct report_end_effector_pose {
     double tool_point_coordinate_x{};          ///< meter, -30 to 30
     double tool_point_coordinate_y{};          ///< meter, -30 to 30
@@ -38,10 +38,11 @@ struct report_end_effector_pose {
     friend constexpr bool operator==(const report_end_effector_pose&, const report_end_effector_pose&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4615;
+        static constexpr std::uint16_t message_id = 0x4615;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_end_effector_pose;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::tool_point_coordinate_x, scaled<u32le, meter_minus_30_to_30>>,
             field<&T::tool_point_coordinate_y, scaled<u32le, meter_minus_30_to_30>>,
             field<&T::tool_point_coordinate_z, scaled<u32le, meter_minus_30_to_30>>,

@@ -15,7 +15,7 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// SetEndEffectorVelocityState: code 0612h, command, input of ManipulatorEndEffectorVelocityStateDriver.
+/// SetEndEffectorVelocityState: ID 0612h, command, input of ManipulatorEndEffectorVelocityStateDriver.
 struct set_end_effector_velocity_state {
     double angular_velocity_component_x{}; ///< radian per second, -20 pi to 20 pi
     double angular_velocity_component_y{}; ///< radian per second, -20 pi to 20 pi
@@ -28,10 +28,11 @@ struct set_end_effector_velocity_state {
         const set_end_effector_velocity_state&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0612;
+        static constexpr std::uint16_t message_id = 0x0612;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_end_effector_velocity_state;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::angular_velocity_component_x, scaled<u32le, radian_per_second_minus_20_pi_to_20_pi>>,
             field<&T::angular_velocity_component_y, scaled<u32le, radian_per_second_minus_20_pi_to_20_pi>>,
             field<&T::angular_velocity_component_z, scaled<u32le, radian_per_second_minus_20_pi_to_20_pi>>,
@@ -41,20 +42,20 @@ struct set_end_effector_velocity_state {
     };
 };
 
-/// QueryCommandedEndEffectorVelocityState: code 2612h, input of ManipulatorEndEffectorVelocityStateDriver.
+/// QueryCommandedEndEffectorVelocityState: ID 2612h, input of ManipulatorEndEffectorVelocityStateDriver.
 struct query_commanded_end_effector_velocity_state {
     friend constexpr bool operator==(
         const query_commanded_end_effector_velocity_state&,
         const query_commanded_end_effector_velocity_state&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2612;
+        static constexpr std::uint16_t message_id = 0x2612;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportCommandedEndEffectorVelocityState: code 4612h, output of ManipulatorEndEffectorVelocityStateDriver.
+/// ReportCommandedEndEffectorVelocityState: ID 4612h, output of ManipulatorEndEffectorVelocityStateDriver.
 struct report_commanded_end_effector_velocity_state {
     double angular_velocity_component_x{}; ///< radian per second, -20 pi to 20 pi
     double angular_velocity_component_y{}; ///< radian per second, -20 pi to 20 pi
@@ -67,10 +68,11 @@ struct report_commanded_end_effector_velocity_state {
         const report_commanded_end_effector_velocity_state&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4612;
+        static constexpr std::uint16_t message_id = 0x4612;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_commanded_end_effector_velocity_state;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::angular_velocity_component_x, scaled<u32le, radian_per_second_minus_20_pi_to_20_pi>>,
             field<&T::angular_velocity_component_y, scaled<u32le, radian_per_second_minus_20_pi_to_20_pi>>,
             field<&T::angular_velocity_component_z, scaled<u32le, radian_per_second_minus_20_pi_to_20_pi>>,

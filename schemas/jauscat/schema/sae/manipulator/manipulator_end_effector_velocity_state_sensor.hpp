@@ -15,20 +15,20 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// QueryEndEffectorVelocityState: code 2616h, input of ManipulatorEndEffectorVelocityStateSensor.
+/// QueryEndEffectorVelocityState: ID 2616h, input of ManipulatorEndEffectorVelocityStateSensor.
 struct query_end_effector_velocity_state {
     friend constexpr bool operator==(
         const query_end_effector_velocity_state&,
         const query_end_effector_velocity_state&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2616;
+        static constexpr std::uint16_t message_id = 0x2616;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportEndEffectorVelocityState: code 4616h, output of ManipulatorEndEffectorVelocityStateSensor.
+/// ReportEndEffectorVelocityState: ID 4616h, output of ManipulatorEndEffectorVelocityStateSensor.
 struct report_end_effector_velocity_state {
     double angular_velocity_component_x{}; ///< radian per second, -20 pi to 20 pi
     double angular_velocity_component_y{}; ///< radian per second, -20 pi to 20 pi
@@ -41,10 +41,11 @@ struct report_end_effector_velocity_state {
         const report_end_effector_velocity_state&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4616;
+        static constexpr std::uint16_t message_id = 0x4616;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_end_effector_velocity_state;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::angular_velocity_component_x, scaled<u32le, radian_per_second_minus_20_pi_to_20_pi>>,
             field<&T::angular_velocity_component_y, scaled<u32le, radian_per_second_minus_20_pi_to_20_pi>>,
             field<&T::angular_velocity_component_z, scaled<u32le, radian_per_second_minus_20_pi_to_20_pi>>,

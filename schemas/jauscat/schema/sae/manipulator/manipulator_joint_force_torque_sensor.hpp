@@ -15,27 +15,29 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// QueryJointForceTorques: code 2605h, input of ManipulatorJointForceTorqueSensor.
+/// QueryJointForceTorques: ID 2605h, input of ManipulatorJointForceTorqueSensor.
 struct query_joint_force_torques {
     friend constexpr bool operator==(const query_joint_force_torques&, const query_joint_force_torques&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2605;
+        static constexpr std::uint16_t message_id = 0x2605;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportJointForceTorques: code 4605h, output of ManipulatorJointForceTorqueSensor.
+/// ReportJointForceTorques: ID 4605h, output of ManipulatorJointForceTorqueSensor.
 struct report_joint_force_torques {
     wire::list<actuator_force_torque_rec> actuator_force_torque_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const report_joint_force_torques&, const report_joint_force_torques&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4605;
+        static constexpr std::uint16_t message_id = 0x4605;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_joint_force_torques;
-        using type = layout<repeated<&T::actuator_force_torque_list, count<"actuator_force_torque_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::actuator_force_torque_list, count<"number_of_actuator_force_torque_list", u8>>>;
     };
 };
 

@@ -15,16 +15,18 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// SetJointPositions: code 0602h, command, input of ManipulatorJointPositionDriver.
+/// SetJointPositions: ID 0602h, command, input of ManipulatorJointPositionDriver.
 struct set_joint_positions {
     wire::list<joint_position_rec> joint_position_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const set_joint_positions&, const set_joint_positions&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0602;
+        static constexpr std::uint16_t message_id = 0x0602;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_joint_positions;
-        using type = layout<repeated<&T::joint_position_list, count<"joint_position_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::joint_position_list, count<"number_of_joint_position_list", u8>>>;
     };
 };
 

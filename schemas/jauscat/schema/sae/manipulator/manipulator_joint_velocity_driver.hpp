@@ -15,33 +15,35 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// SetJointVelocity: code 0603h, command, input of ManipulatorJointVelocityDriver.
+/// SetJointVelocity: ID 0603h, command, input of ManipulatorJointVelocityDriver.
 struct set_joint_velocity {
     wire::list<joint_velocity_rec> joint_velocity_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const set_joint_velocity&, const set_joint_velocity&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0603;
+        static constexpr std::uint16_t message_id = 0x0603;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_joint_velocity;
-        using type = layout<repeated<&T::joint_velocity_list, count<"joint_velocity_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::joint_velocity_list, count<"number_of_joint_velocity_list", u8>>>;
     };
 };
 
-/// QueryCommandedJointVelocity: code 2611h, input of ManipulatorJointVelocityDriver.
+/// QueryCommandedJointVelocity: ID 2611h, input of ManipulatorJointVelocityDriver.
 struct query_commanded_joint_velocity {
     friend constexpr bool operator==(
         const query_commanded_joint_velocity&,
         const query_commanded_joint_velocity&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2611;
+        static constexpr std::uint16_t message_id = 0x2611;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportCommandedJointVelocity: code 4611h, output of ManipulatorJointVelocityDriver.
+/// ReportCommandedJointVelocity: ID 4611h, output of ManipulatorJointVelocityDriver.
 struct report_commanded_joint_velocity {
     wire::list<joint_velocity_rec> joint_velocity_list{}; ///< up to 255 elements
     friend constexpr bool operator==(
@@ -49,10 +51,12 @@ struct report_commanded_joint_velocity {
         const report_commanded_joint_velocity&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4611;
+        static constexpr std::uint16_t message_id = 0x4611;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_commanded_joint_velocity;
-        using type = layout<repeated<&T::joint_velocity_list, count<"joint_velocity_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::joint_velocity_list, count<"number_of_joint_velocity_list", u8>>>;
     };
 };
 

@@ -15,27 +15,29 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// QueryJointVelocity: code 2603h, input of ManipulatorJointVelocitySensor.
+/// QueryJointVelocity: ID 2603h, input of ManipulatorJointVelocitySensor.
 struct query_joint_velocity {
     friend constexpr bool operator==(const query_joint_velocity&, const query_joint_velocity&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2603;
+        static constexpr std::uint16_t message_id = 0x2603;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportJointVelocity: code 4603h, output of ManipulatorJointVelocitySensor.
+/// ReportJointVelocity: ID 4603h, output of ManipulatorJointVelocitySensor.
 struct report_joint_velocity {
     wire::list<joint_velocity_rec> joint_velocity_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const report_joint_velocity&, const report_joint_velocity&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4603;
+        static constexpr std::uint16_t message_id = 0x4603;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_joint_velocity;
-        using type = layout<repeated<&T::joint_velocity_list, count<"joint_velocity_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::joint_velocity_list, count<"number_of_joint_velocity_list", u8>>>;
     };
 };
 

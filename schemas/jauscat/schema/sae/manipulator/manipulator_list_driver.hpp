@@ -15,40 +15,44 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// ExecuteList: code 061Eh, input of ManipulatorListDriver.
+/// ExecuteList: ID 061Eh, input of ManipulatorListDriver.
 struct execute_list {
     std::optional<std::uint16_t> element_uid{};
     friend constexpr bool operator==(const execute_list&, const execute_list&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x061E;
+        static constexpr std::uint16_t message_id = 0x061E;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = execute_list;
-        using type = layout<presence<u8, field<&T::element_uid, u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            presence<u8, field<&T::element_uid, u16le>>>;
     };
 };
 
-/// QueryActiveElement: code 261Eh, input of ManipulatorListDriver.
+/// QueryActiveElement: ID 261Eh, input of ManipulatorListDriver.
 struct query_active_element {
     friend constexpr bool operator==(const query_active_element&, const query_active_element&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x261E;
+        static constexpr std::uint16_t message_id = 0x261E;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportActiveElement: code 461Eh, output of ManipulatorListDriver.
+/// ReportActiveElement: ID 461Eh, output of ManipulatorListDriver.
 struct report_active_element {
     std::uint16_t element_uid{};
     friend constexpr bool operator==(const report_active_element&, const report_active_element&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x461E;
+        static constexpr std::uint16_t message_id = 0x461E;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_active_element;
-        using type = layout<field<&T::element_uid, u16le>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::element_uid, u16le>>;
     };
 };
 

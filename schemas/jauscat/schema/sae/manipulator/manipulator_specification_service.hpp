@@ -15,7 +15,7 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// QueryManipulatorSpecifications: code 2600h, input of ManipulatorSpecificationService.
+/// QueryManipulatorSpecifications: ID 2600h, input of ManipulatorSpecificationService.
 struct query_manipulator_specifications {
     std::uint8_t presence_vector{};
     friend constexpr bool operator==(
@@ -23,10 +23,12 @@ struct query_manipulator_specifications {
         const query_manipulator_specifications&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2600;
+        static constexpr std::uint16_t message_id = 0x2600;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_manipulator_specifications;
-        using type = layout<field<&T::presence_vector, u8>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u8>>;
     };
 };
 
@@ -102,22 +104,6 @@ struct prismatic_joint1_angle_rec {
     };
 };
 
-/// Variant FirstJointParameters: `tag` is the number of the alternative.
-struct first_joint_parameters {
-    std::uint8_t tag{};
-    std::variant<revolute_joint1_offset_rec, prismatic_joint1_angle_rec> value{};
-    friend constexpr bool operator==(const first_joint_parameters&, const first_joint_parameters&) = default;
-
-    struct schema : wire::items {
-        using T = first_joint_parameters;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, revolute_joint1_offset_rec>,
-                when<1, prismatic_joint1_angle_rec>>>;
-    };
-};
-
 /// Record RevoluteJointSpecificationRec.
 struct revolute_joint_specification_rec {
     double link_length{};                                         ///< meter, -10 to 10
@@ -180,19 +166,14 @@ struct prismatic_joint_specification_rec {
     };
 };
 
-/// Variant JointSpecifications: `tag` is the number of the alternative.
+/// Variant JointSpecifications.
 struct joint_specifications {
-    std::uint8_t tag{};
     std::variant<revolute_joint_specification_rec, prismatic_joint_specification_rec> value{};
     friend constexpr bool operator==(const joint_specifications&, const joint_specifications&) = default;
 
     struct schema : wire::items {
         using T = joint_specifications;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, revolute_joint_specification_rec>,
-                when<1, prismatic_joint_specification_rec>>>;
+        using type = layout<variant<&T::value, u8>>;
     };
 };
 
@@ -207,10 +188,10 @@ struct joint_name_rec {
     };
 };
 
-/// ReportManipulatorSpecifications: code 4600h, output of ManipulatorSpecificationService.
+/// ReportManipulatorSpecifications: ID 4600h, output of ManipulatorSpecificationService.
 struct report_manipulator_specifications {
     std::optional<manipulator::manipulator_coordinate_system_rec> manipulator_coordinate_system_rec{};
-    manipulator::first_joint_parameters first_joint_parameters{};
+    std::variant<revolute_joint1_offset_rec, prismatic_joint1_angle_rec> first_joint_parameters{};
     wire::list<joint_specifications> joint_specification_list{};  ///< up to 255 elements
     std::optional<wire::list<joint_name_rec>> joint_names_list{}; ///< up to 255 elements
     friend constexpr bool operator==(
@@ -218,15 +199,16 @@ struct report_manipulator_specifications {
         const report_manipulator_specifications&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4600;
+        static constexpr std::uint16_t message_id = 0x4600;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_manipulator_specifications;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 nested<&T::manipulator_coordinate_system_rec>,
-                nested<&T::first_joint_parameters>,
-                repeated<&T::joint_specification_list, count<"joint_specification_list_count", u8>>,
-                repeated<&T::joint_names_list, count<"joint_names_list_count", u8>>>>;
+                variant<&T::first_joint_parameters, u8>,
+                repeated<&T::joint_specification_list, count<"number_of_joint_specification_list", u8>>,
+                repeated<&T::joint_names_list, count<"number_of_joint_names_list", u8>>>>;
     };
 };
 

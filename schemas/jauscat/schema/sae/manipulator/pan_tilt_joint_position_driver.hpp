@@ -15,20 +15,20 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// QueryCommandedPanTiltJointPositions: code 2628h, input of PanTiltJointPositionDriver.
+/// QueryCommandedPanTiltJointPositions: ID 2628h, input of PanTiltJointPositionDriver.
 struct query_commanded_pan_tilt_joint_positions {
     friend constexpr bool operator==(
         const query_commanded_pan_tilt_joint_positions&,
         const query_commanded_pan_tilt_joint_positions&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2628;
+        static constexpr std::uint16_t message_id = 0x2628;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// SetPanTiltJointPositions: code 0622h, command, input of PanTiltJointPositionDriver.
+/// SetPanTiltJointPositions: ID 0622h, command, input of PanTiltJointPositionDriver.
 struct set_pan_tilt_joint_positions {
     double joint1_position{}; ///< radian, -8 pi to 8 pi
     double joint2_position{}; ///< radian, -8 pi to 8 pi
@@ -37,16 +37,17 @@ struct set_pan_tilt_joint_positions {
         const set_pan_tilt_joint_positions&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0622;
+        static constexpr std::uint16_t message_id = 0x0622;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_pan_tilt_joint_positions;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::joint1_position, scaled<u32le, radian_minus_8_pi_to_8_pi>>,
             field<&T::joint2_position, scaled<u32le, radian_minus_8_pi_to_8_pi>>>;
     };
 };
 
-/// ReportCommandedPanTiltJointPositions: code 4628h, output of PanTiltJointPositionDriver.
+/// ReportCommandedPanTiltJointPositions: ID 4628h, output of PanTiltJointPositionDriver.
 struct report_commanded_pan_tilt_joint_positions {
     double joint1_position{}; ///< radian, -8 pi to 8 pi
     double joint2_position{}; ///< radian, -8 pi to 8 pi
@@ -55,10 +56,11 @@ struct report_commanded_pan_tilt_joint_positions {
         const report_commanded_pan_tilt_joint_positions&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4628;
+        static constexpr std::uint16_t message_id = 0x4628;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_commanded_pan_tilt_joint_positions;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::joint1_position, scaled<u32le, radian_minus_8_pi_to_8_pi>>,
             field<&T::joint2_position, scaled<u32le, radian_minus_8_pi_to_8_pi>>>;
     };

@@ -15,20 +15,20 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// QueryPanTiltJointPositions: code 2622h, input of PanTiltJointPositionSensor.
+/// QueryPanTiltJointPositions: ID 2622h, input of PanTiltJointPositionSensor.
 struct query_pan_tilt_joint_positions {
     friend constexpr bool operator==(
         const query_pan_tilt_joint_positions&,
         const query_pan_tilt_joint_positions&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2622;
+        static constexpr std::uint16_t message_id = 0x2622;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportPanTiltJointPositions: code 4622h, output of PanTiltJointPositionSensor.
+/// ReportPanTiltJointPositions: ID 4622h, output of PanTiltJointPositionSensor.
 struct report_pan_tilt_joint_positions {
     double joint1_position{}; ///< radian, -8 pi to 8 pi
     double joint2_position{}; ///< radian, -8 pi to 8 pi
@@ -37,10 +37,11 @@ struct report_pan_tilt_joint_positions {
         const report_pan_tilt_joint_positions&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4622;
+        static constexpr std::uint16_t message_id = 0x4622;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_pan_tilt_joint_positions;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::joint1_position, scaled<u32le, radian_minus_8_pi_to_8_pi>>,
             field<&T::joint2_position, scaled<u32le, radian_minus_8_pi_to_8_pi>>>;
     };

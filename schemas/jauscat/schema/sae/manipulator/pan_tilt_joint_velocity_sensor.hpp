@@ -15,20 +15,20 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// QueryPanTiltJointVelocity: code 2623h, input of PanTiltJointVelocitySensor.
+/// QueryPanTiltJointVelocity: ID 2623h, input of PanTiltJointVelocitySensor.
 struct query_pan_tilt_joint_velocity {
     friend constexpr bool operator==(
         const query_pan_tilt_joint_velocity&,
         const query_pan_tilt_joint_velocity&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2623;
+        static constexpr std::uint16_t message_id = 0x2623;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportPanTiltJointVelocity: code 4623h, output of PanTiltJointVelocitySensor.
+/// ReportPanTiltJointVelocity: ID 4623h, output of PanTiltJointVelocitySensor.
 struct report_pan_tilt_joint_velocity {
     double joint1_velocity{}; ///< radian per second, -10 pi to 10 pi
     double joint2_velocity{}; ///< radian per second, -10 pi to 10 pi
@@ -37,10 +37,11 @@ struct report_pan_tilt_joint_velocity {
         const report_pan_tilt_joint_velocity&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4623;
+        static constexpr std::uint16_t message_id = 0x4623;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_pan_tilt_joint_velocity;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::joint1_velocity, scaled<u32le, radian_per_second_minus_10_pi_to_10_pi>>,
             field<&T::joint2_velocity, scaled<u32le, radian_per_second_minus_10_pi_to_10_pi>>>;
     };

@@ -15,20 +15,20 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// QueryPanTiltMotionProfile: code 2627h, input of PanTiltMotionProfileService.
+/// QueryPanTiltMotionProfile: ID 2627h, input of PanTiltMotionProfileService.
 struct query_pan_tilt_motion_profile {
     friend constexpr bool operator==(
         const query_pan_tilt_motion_profile&,
         const query_pan_tilt_motion_profile&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2627;
+        static constexpr std::uint16_t message_id = 0x2627;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// SetPanTiltMotionProfile: code 0627h, command, input of PanTiltMotionProfileService.
+/// SetPanTiltMotionProfile: ID 0627h, command, input of PanTiltMotionProfileService.
 struct set_pan_tilt_motion_profile {
     double joint1_max_speed{};             ///< radian per second, 0 to 10 pi
     double joint1_max_acceleration_rate{}; ///< radian per second squared, 0 to 10 pi
@@ -39,10 +39,11 @@ struct set_pan_tilt_motion_profile {
     friend constexpr bool operator==(const set_pan_tilt_motion_profile&, const set_pan_tilt_motion_profile&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0627;
+        static constexpr std::uint16_t message_id = 0x0627;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_pan_tilt_motion_profile;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::joint1_max_speed, scaled<u32le, radian_per_second_0_to_10_pi>>,
             field<&T::joint1_max_acceleration_rate, scaled<u32le, radian_per_second_squared_0_to_10_pi>>,
             field<&T::joint1_max_deceleration_rate, scaled<u32le, radian_per_second_squared_0_to_10_pi>>,
@@ -52,7 +53,7 @@ struct set_pan_tilt_motion_profile {
     };
 };
 
-/// ReportPanTiltMotionProfile: code 4627h, output of PanTiltMotionProfileService.
+/// ReportPanTiltMotionProfile: ID 4627h, output of PanTiltMotionProfileService.
 struct report_pan_tilt_motion_profile {
     double joint1_max_speed{};             ///< radian per second, 0 to 10 pi
     double joint1_max_acceleration_rate{}; ///< radian per second squared, 0 to 10 pi
@@ -65,10 +66,11 @@ struct report_pan_tilt_motion_profile {
         const report_pan_tilt_motion_profile&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4627;
+        static constexpr std::uint16_t message_id = 0x4627;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_pan_tilt_motion_profile;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::joint1_max_speed, scaled<u32le, radian_per_second_0_to_10_pi>>,
             field<&T::joint1_max_acceleration_rate, scaled<u32le, radian_per_second_squared_0_to_10_pi>>,
             field<&T::joint1_max_deceleration_rate, scaled<u32le, radian_per_second_squared_0_to_10_pi>>,

@@ -15,7 +15,7 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// QueryPanTiltSpecifications: code 2620h, input of PanTiltSpecificationService.
+/// QueryPanTiltSpecifications: ID 2620h, input of PanTiltSpecificationService.
 struct query_pan_tilt_specifications {
     std::uint8_t presence_vector{};
     friend constexpr bool operator==(
@@ -23,14 +23,16 @@ struct query_pan_tilt_specifications {
         const query_pan_tilt_specifications&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2620;
+        static constexpr std::uint16_t message_id = 0x2620;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_pan_tilt_specifications;
-        using type = layout<field<&T::presence_vector, u8>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u8>>;
     };
 };
 
-/// ReportPanTiltSpecifications: code 4620h, output of PanTiltSpecificationService.
+/// ReportPanTiltSpecifications: ID 4620h, output of PanTiltSpecificationService.
 struct report_pan_tilt_specifications {
     std::optional<double> pan_tilt_coordinate_sys_x{};        ///< meter, -30 to 30
     std::optional<double> pan_tilt_coordinate_sys_y{};        ///< meter, -30 to 30
@@ -50,10 +52,11 @@ struct report_pan_tilt_specifications {
         const report_pan_tilt_specifications&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4620;
+        static constexpr std::uint16_t message_id = 0x4620;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_pan_tilt_specifications;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::pan_tilt_coordinate_sys_x, scaled<u32le, meter_minus_30_to_30>>,
                 field<&T::pan_tilt_coordinate_sys_y, scaled<u32le, meter_minus_30_to_30>>,

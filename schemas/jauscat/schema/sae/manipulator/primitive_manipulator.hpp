@@ -15,14 +15,14 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// QueryJointEffort: code 2601h, input of PrimitiveManipulator.
+/// QueryJointEffort: ID 2601h, input of PrimitiveManipulator.
 struct query_joint_effort {
     friend constexpr bool operator==(const query_joint_effort&, const query_joint_effort&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2601;
+        static constexpr std::uint16_t message_id = 0x2601;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
@@ -37,29 +37,33 @@ struct joint_effort_rec {
     };
 };
 
-/// SetJointEffort: code 0601h, command, input of PrimitiveManipulator.
+/// SetJointEffort: ID 0601h, command, input of PrimitiveManipulator.
 struct set_joint_effort {
     wire::list<joint_effort_rec> joint_effort_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const set_joint_effort&, const set_joint_effort&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0601;
+        static constexpr std::uint16_t message_id = 0x0601;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_joint_effort;
-        using type = layout<repeated<&T::joint_effort_list, count<"joint_effort_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::joint_effort_list, count<"number_of_joint_effort_list", u8>>>;
     };
 };
 
-/// ReportJointEffort: code 4601h, output of PrimitiveManipulator.
+/// ReportJointEffort: ID 4601h, output of PrimitiveManipulator.
 struct report_joint_effort {
     wire::list<joint_effort_rec> joint_effort_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const report_joint_effort&, const report_joint_effort&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4601;
+        static constexpr std::uint16_t message_id = 0x4601;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_joint_effort;
-        using type = layout<repeated<&T::joint_effort_list, count<"joint_effort_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::joint_effort_list, count<"number_of_joint_effort_list", u8>>>;
     };
 };
 

@@ -15,34 +15,35 @@
 // clang-format off
 namespace jauscat::sae::manipulator {
 
-/// QueryPanTiltJointEffort: code 2621h, input of PrimitivePanTilt.
+/// QueryPanTiltJointEffort: ID 2621h, input of PrimitivePanTilt.
 struct query_pan_tilt_joint_effort {
     friend constexpr bool operator==(const query_pan_tilt_joint_effort&, const query_pan_tilt_joint_effort&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2621;
+        static constexpr std::uint16_t message_id = 0x2621;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// SetPanTiltJointEffort: code 0621h, command, input of PrimitivePanTilt.
+/// SetPanTiltJointEffort: ID 0621h, command, input of PrimitivePanTilt.
 struct set_pan_tilt_joint_effort {
     double joint1_effort{}; ///< -100 to 100
     double joint2_effort{}; ///< -100 to 100
     friend constexpr bool operator==(const set_pan_tilt_joint_effort&, const set_pan_tilt_joint_effort&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0621;
+        static constexpr std::uint16_t message_id = 0x0621;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_pan_tilt_joint_effort;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::joint1_effort, scaled<u16le, one_minus_100_to_100>>,
             field<&T::joint2_effort, scaled<u16le, one_minus_100_to_100>>>;
     };
 };
 
-/// ReportPanTiltJointEffort: code 4621h, output of PrimitivePanTilt.
+/// ReportPanTiltJointEffort: ID 4621h, output of PrimitivePanTilt.
 struct report_pan_tilt_joint_effort {
     double joint1_effort{}; ///< -100 to 100
     double joint2_effort{}; ///< -100 to 100
@@ -51,10 +52,11 @@ struct report_pan_tilt_joint_effort {
         const report_pan_tilt_joint_effort&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4621;
+        static constexpr std::uint16_t message_id = 0x4621;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_pan_tilt_joint_effort;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::joint1_effort, scaled<u16le, one_minus_100_to_100>>,
             field<&T::joint2_effort, scaled<u16le, one_minus_100_to_100>>>;
     };

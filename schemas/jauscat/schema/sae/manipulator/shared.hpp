@@ -23,15 +23,15 @@ enum class joint_force_torque_form : std::uint8_t {
 
 /// JointForceTorque: a number in the form that is named before it.
 struct joint_force_torque {
-    joint_force_torque_form form{};
+    joint_force_torque_form index{};
     double value{}; ///< as its form says
     friend constexpr bool operator==(const joint_force_torque&, const joint_force_torque&) = default;
 
     struct schema : wire::items {
         using T = joint_force_torque;
         using type = layout<
-            field<&T::form, enumeration<joint_force_torque_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<joint_force_torque_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<joint_force_torque_form::newton_meter, scaled<u32le, newton_meter_minus_1000_to_1000>>,
                 when<joint_force_torque_form::newton, scaled<u32le, newton_minus_500_to_500>>>>;
     };
@@ -48,7 +48,7 @@ struct actuator_force_torque_rec {
     };
 };
 
-/// QueryCommandedEndEffectorPose: code 2610h, input of ManipulatorEndEffectorPoseDriver,
+/// QueryCommandedEndEffectorPose: ID 2610h, input of ManipulatorEndEffectorPoseDriver,
 /// ManipulatorEndEffectorPoseListDriver.
 struct query_commanded_end_effector_pose {
     friend constexpr bool operator==(
@@ -56,13 +56,13 @@ struct query_commanded_end_effector_pose {
         const query_commanded_end_effector_pose&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2610;
+        static constexpr std::uint16_t message_id = 0x2610;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportCommandedEndEffectorPose: code 4610h, output of ManipulatorEndEffectorPoseDriver,
+/// ReportCommandedEndEffectorPose: ID 4610h, output of ManipulatorEndEffectorPoseDriver,
 /// ManipulatorEndEffectorPoseListDriver.
 struct report_commanded_end_effector_pose {
     double tool_point_coordinate_x{};          ///< meter, -30 to 30
@@ -77,10 +77,11 @@ struct report_commanded_end_effector_pose {
         const report_commanded_end_effector_pose&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4610;
+        static constexpr std::uint16_t message_id = 0x4610;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_commanded_end_effector_pose;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::tool_point_coordinate_x, scaled<u32le, meter_minus_30_to_30>>,
             field<&T::tool_point_coordinate_y, scaled<u32le, meter_minus_30_to_30>>,
             field<&T::tool_point_coordinate_z, scaled<u32le, meter_minus_30_to_30>>,
@@ -91,17 +92,16 @@ struct report_commanded_end_effector_pose {
     };
 };
 
-/// QueryCommandedJointPositions: code 2608h, input of ManipulatorJointPositionDriver,
-/// ManipulatorJointPositionListDriver.
+/// QueryCommandedJointPositions: ID 2608h, input of ManipulatorJointPositionDriver, ManipulatorJointPositionListDriver.
 struct query_commanded_joint_positions {
     friend constexpr bool operator==(
         const query_commanded_joint_positions&,
         const query_commanded_joint_positions&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2608;
+        static constexpr std::uint16_t message_id = 0x2608;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
@@ -113,15 +113,15 @@ enum class joint_position_form : std::uint8_t {
 
 /// JointPosition: a number in the form that is named before it.
 struct joint_position {
-    joint_position_form form{};
+    joint_position_form index{};
     double value{}; ///< as its form says
     friend constexpr bool operator==(const joint_position&, const joint_position&) = default;
 
     struct schema : wire::items {
         using T = joint_position;
         using type = layout<
-            field<&T::form, enumeration<joint_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<joint_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<joint_position_form::radian, scaled<u32le, radian_minus_8_pi_to_8_pi>>,
                 when<joint_position_form::meter, scaled<u32le, meter_minus_10_to_10>>>>;
     };
@@ -138,7 +138,7 @@ struct joint_position_rec {
     };
 };
 
-/// ReportCommandedJointPositions: code 4608h, output of ManipulatorJointPositionDriver,
+/// ReportCommandedJointPositions: ID 4608h, output of ManipulatorJointPositionDriver,
 /// ManipulatorJointPositionListDriver.
 struct report_commanded_joint_positions {
     wire::list<joint_position_rec> joint_position_list{}; ///< up to 255 elements
@@ -147,10 +147,12 @@ struct report_commanded_joint_positions {
         const report_commanded_joint_positions&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4608;
+        static constexpr std::uint16_t message_id = 0x4608;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_commanded_joint_positions;
-        using type = layout<repeated<&T::joint_position_list, count<"joint_position_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::joint_position_list, count<"number_of_joint_position_list", u8>>>;
     };
 };
 
@@ -162,15 +164,15 @@ enum class joint_velocity_form : std::uint8_t {
 
 /// JointVelocity: a number in the form that is named before it.
 struct joint_velocity {
-    joint_velocity_form form{};
+    joint_velocity_form index{};
     double value{}; ///< as its form says
     friend constexpr bool operator==(const joint_velocity&, const joint_velocity&) = default;
 
     struct schema : wire::items {
         using T = joint_velocity;
         using type = layout<
-            field<&T::form, enumeration<joint_velocity_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<joint_velocity_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<joint_velocity_form::radian_per_second, scaled<u32le, radian_per_second_minus_10_pi_to_10_pi>>,
                 when<joint_velocity_form::meter_per_second, scaled<u32le, meter_per_second_minus_5_to_5>>>>;
     };

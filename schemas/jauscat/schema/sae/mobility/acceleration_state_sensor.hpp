@@ -15,20 +15,22 @@
 // clang-format off
 namespace jauscat::sae::mobility {
 
-/// QueryAccelerationState: code 2417h, deprecated, input of AccelerationStateSensor.
+/// QueryAccelerationState: ID 2417h, deprecated, input of AccelerationStateSensor.
 struct query_acceleration_state {
     std::uint16_t presence_vector{};
     friend constexpr bool operator==(const query_acceleration_state&, const query_acceleration_state&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2417;
+        static constexpr std::uint16_t message_id = 0x2417;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = query_acceleration_state;
-        using type = layout<field<&T::presence_vector, u16le>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u16le>>;
     };
 };
 
-/// QueryAccelerationStateExt: code 24B7h, input of AccelerationStateSensor.
+/// QueryAccelerationStateExt: ID 24B7h, input of AccelerationStateSensor.
 struct query_acceleration_state_ext {
     std::uint16_t presence_vector{};
     friend constexpr bool operator==(
@@ -36,14 +38,16 @@ struct query_acceleration_state_ext {
         const query_acceleration_state_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x24B7;
+        static constexpr std::uint16_t message_id = 0x24B7;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_acceleration_state_ext;
-        using type = layout<field<&T::presence_vector, u16le>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u16le>>;
     };
 };
 
-/// ReportAccelerationState: code 4417h, deprecated, output of AccelerationStateSensor.
+/// ReportAccelerationState: ID 4417h, deprecated, output of AccelerationStateSensor.
 struct report_acceleration_state {
     std::optional<double> acceleration_x{};              ///< meter per second squared, -1310.68 to 1310.68
     std::optional<double> acceleration_y{};              ///< meter per second squared, -1310.68 to 1310.68
@@ -57,10 +61,11 @@ struct report_acceleration_state {
     friend constexpr bool operator==(const report_acceleration_state&, const report_acceleration_state&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4417;
+        static constexpr std::uint16_t message_id = 0x4417;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = report_acceleration_state;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u16le,
                 field<&T::acceleration_x, scaled<u32le, meter_per_second_squared_minus_1310_68_to_1310_68>>,
                 field<&T::acceleration_y, scaled<u32le, meter_per_second_squared_minus_1310_68_to_1310_68>>,
@@ -74,7 +79,7 @@ struct report_acceleration_state {
     };
 };
 
-/// ReportAccelerationStateExt: code 44B7h, output of AccelerationStateSensor.
+/// ReportAccelerationStateExt: ID 44B7h, output of AccelerationStateSensor.
 struct report_acceleration_state_ext {
     std::optional<double> acceleration_x{};              ///< meter per second squared, -1310.68 to 1310.68
     std::optional<double> acceleration_y{};              ///< meter per second squared, -1310.68 to 1310.68
@@ -91,10 +96,11 @@ struct report_acceleration_state_ext {
         const report_acceleration_state_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x44B7;
+        static constexpr std::uint16_t message_id = 0x44B7;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_acceleration_state_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u16le,
                 field<&T::acceleration_x, scaled<u32le, meter_per_second_squared_minus_1310_68_to_1310_68>>,
                 field<&T::acceleration_y, scaled<u32le, meter_per_second_squared_minus_1310_68_to_1310_68>>,

@@ -25,7 +25,7 @@ enum class global_loiter_driver_z_position_form : std::uint8_t {
 
 /// ZPosition: a number in the form that is named before it.
 struct global_loiter_driver_z_position {
-    global_loiter_driver_z_position_form form{};
+    global_loiter_driver_z_position_form index{};
     double value{}; ///< meter, -50000 to 50000
     friend constexpr bool operator==(
         const global_loiter_driver_z_position&,
@@ -34,8 +34,8 @@ struct global_loiter_driver_z_position {
     struct schema : wire::items {
         using T = global_loiter_driver_z_position;
         using type = layout<
-            field<&T::form, enumeration<global_loiter_driver_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<global_loiter_driver_z_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<global_loiter_driver_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<global_loiter_driver_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<global_loiter_driver_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
@@ -78,71 +78,59 @@ struct global_loiter_driver_hover_rec {
     struct schema : wire::items {
         using T = global_loiter_driver_hover_rec;
         using type = layout<
-            field<&T::hover_preference, enumeration<global_loiter_driver_hover_preference, u8>>,
+            field<&T::hover_preference,
+                in_value_set<enumeration<global_loiter_driver_hover_preference, u8>, between<0, 1>>>,
             field<&T::xy_tolerance, scaled<u32le, meter_0_to_100000>>,
             field<&T::z_tolerance, scaled<u32le, meter_0_to_50000>>>;
     };
 };
 
-/// Variant Loiter: `tag` is the number of the alternative.
-struct global_loiter_driver_loiter {
-    std::uint8_t tag{};
-    std::variant<global_loiter_driver_hover_rec, polygon_rec, race_track_rec> value{};
-    friend constexpr bool operator==(const global_loiter_driver_loiter&, const global_loiter_driver_loiter&) = default;
-
-    struct schema : wire::items {
-        using T = global_loiter_driver_loiter;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, global_loiter_driver_hover_rec>,
-                when<1, polygon_rec>,
-                when<2, race_track_rec>>>;
-    };
-};
-
-/// SetGlobalLoiter: code 0425h, command, input of GlobalLoiterDriver.
+/// SetGlobalLoiter: ID 0425h, command, input of GlobalLoiterDriver.
 struct set_global_loiter {
     mobility::global_loiter_rec global_loiter_rec{};
-    global_loiter_driver_loiter loiter{};
+    std::variant<global_loiter_driver_hover_rec, polygon_rec, race_track_rec> loiter{};
     friend constexpr bool operator==(const set_global_loiter&, const set_global_loiter&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0425;
+        static constexpr std::uint16_t message_id = 0x0425;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_global_loiter;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             nested<&T::global_loiter_rec>,
-            nested<&T::loiter>>;
+            variant<&T::loiter, u8>>;
     };
 };
 
-/// QueryGlobalLoiter: code 2425h, input of GlobalLoiterDriver.
+/// QueryGlobalLoiter: ID 2425h, input of GlobalLoiterDriver.
 struct query_global_loiter {
     std::uint8_t presence_vector{};
     friend constexpr bool operator==(const query_global_loiter&, const query_global_loiter&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2425;
+        static constexpr std::uint16_t message_id = 0x2425;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_global_loiter;
-        using type = layout<field<&T::presence_vector, u8>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u8>>;
     };
 };
 
-/// ReportGlobalLoiter: code 4425h, output of GlobalLoiterDriver.
+/// ReportGlobalLoiter: ID 4425h, output of GlobalLoiterDriver.
 struct report_global_loiter {
     mobility::global_loiter_rec global_loiter_rec{};
-    global_loiter_driver_loiter loiter{};
+    std::variant<global_loiter_driver_hover_rec, polygon_rec, race_track_rec> loiter{};
     friend constexpr bool operator==(const report_global_loiter&, const report_global_loiter&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4425;
+        static constexpr std::uint16_t message_id = 0x4425;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_global_loiter;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             nested<&T::global_loiter_rec>,
-            nested<&T::loiter>>;
+            variant<&T::loiter, u8>>;
     };
 };
 

@@ -25,7 +25,7 @@ enum class global_operating_zone_min_z_position_form : std::uint8_t {
 
 /// MinZPosition: a number in the form that is named before it.
 struct global_operating_zone_min_z_position {
-    global_operating_zone_min_z_position_form form{};
+    global_operating_zone_min_z_position_form index{};
     double value{}; ///< meter, -50000 to 50000
     friend constexpr bool operator==(
         const global_operating_zone_min_z_position&,
@@ -34,8 +34,8 @@ struct global_operating_zone_min_z_position {
     struct schema : wire::items {
         using T = global_operating_zone_min_z_position;
         using type = layout<
-            field<&T::form, enumeration<global_operating_zone_min_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<global_operating_zone_min_z_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<global_operating_zone_min_z_position_form::altitude_agl,
                     scaled<u32le, meter_minus_50000_to_50000>>,
                 when<global_operating_zone_min_z_position_form::altitude_msl,
@@ -56,7 +56,7 @@ enum class global_operating_zone_max_z_position_form : std::uint8_t {
 
 /// MaxZPosition: a number in the form that is named before it.
 struct global_operating_zone_max_z_position {
-    global_operating_zone_max_z_position_form form{};
+    global_operating_zone_max_z_position_form index{};
     double value{}; ///< meter, -50000 to 50000
     friend constexpr bool operator==(
         const global_operating_zone_max_z_position&,
@@ -65,8 +65,8 @@ struct global_operating_zone_max_z_position {
     struct schema : wire::items {
         using T = global_operating_zone_max_z_position;
         using type = layout<
-            field<&T::form, enumeration<global_operating_zone_max_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<global_operating_zone_max_z_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<global_operating_zone_max_z_position_form::altitude_agl,
                     scaled<u32le, meter_minus_50000_to_50000>>,
                 when<global_operating_zone_max_z_position_form::altitude_msl,
@@ -128,40 +128,43 @@ struct global_exclusion_zone {
 
     struct schema : wire::items {
         using T = global_exclusion_zone;
-        using type = layout<repeated<&T::elements, count<"elements_count", u8>>>;
+        using type = layout<repeated<&T::elements, count<"number_of_elements", u8>>>;
     };
 };
 
-/// SetGlobalOperatingZone: code 0423h, command, input of GlobalOperatingZone.
+/// SetGlobalOperatingZone: ID 0423h, command, input of GlobalOperatingZone.
 struct set_global_operating_zone {
     wire::list<global_polygon_point_rec> global_operating_zone{}; ///< up to 255 elements
     wire::list<global_exclusion_zone> global_exclusion_zones{};   ///< up to 255 elements
     friend constexpr bool operator==(const set_global_operating_zone&, const set_global_operating_zone&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0423;
+        static constexpr std::uint16_t message_id = 0x0423;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_global_operating_zone;
         using type = layout<
-            repeated<&T::global_operating_zone, count<"global_operating_zone_count", u8>>,
-            repeated<&T::global_exclusion_zones, count<"global_exclusion_zones_count", u8>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::global_operating_zone, count<"number_of_global_operating_zone", u8>>,
+            repeated<&T::global_exclusion_zones, count<"number_of_global_exclusion_zones", u8>>>;
     };
 };
 
-/// QueryGlobalOperatingZone: code 2423h, input of GlobalOperatingZone.
+/// QueryGlobalOperatingZone: ID 2423h, input of GlobalOperatingZone.
 struct query_global_operating_zone {
     mobility::query_zone_id query_zone_id{}; ///< 2 to 65535
     friend constexpr bool operator==(const query_global_operating_zone&, const query_global_operating_zone&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2423;
+        static constexpr std::uint16_t message_id = 0x2423;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_global_operating_zone;
-        using type = layout<field<&T::query_zone_id, enumeration<mobility::query_zone_id, u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::query_zone_id, enumeration<mobility::query_zone_id, u16le>>>;
     };
 };
 
-/// ReportGlobalOperatingZone: code 4423h, output of GlobalOperatingZone.
+/// ReportGlobalOperatingZone: ID 4423h, output of GlobalOperatingZone.
 struct report_global_operating_zone {
     wire::list<global_polygon_point_rec> global_operating_zone{}; ///< up to 255 elements
     wire::list<global_exclusion_zone> global_exclusion_zones{};   ///< up to 255 elements
@@ -170,12 +173,13 @@ struct report_global_operating_zone {
         const report_global_operating_zone&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4423;
+        static constexpr std::uint16_t message_id = 0x4423;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_global_operating_zone;
         using type = layout<
-            repeated<&T::global_operating_zone, count<"global_operating_zone_count", u8>>,
-            repeated<&T::global_exclusion_zones, count<"global_exclusion_zones_count", u8>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::global_operating_zone, count<"number_of_global_operating_zone", u8>>,
+            repeated<&T::global_exclusion_zones, count<"number_of_global_exclusion_zones", u8>>>;
     };
 };
 

@@ -15,20 +15,22 @@
 // clang-format off
 namespace jauscat::sae::mobility {
 
-/// QueryGlobalPathSegment: code 240Fh, deprecated, input of GlobalPathSegmentDriver.
+/// QueryGlobalPathSegment: ID 240Fh, deprecated, input of GlobalPathSegmentDriver.
 struct query_global_path_segment {
     std::uint8_t presence_vector{};
     friend constexpr bool operator==(const query_global_path_segment&, const query_global_path_segment&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x240F;
+        static constexpr std::uint16_t message_id = 0x240F;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = query_global_path_segment;
-        using type = layout<field<&T::presence_vector, u8>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u8>>;
     };
 };
 
-/// QueryGlobalPathSegmentExt: code 24AFh, input of GlobalPathSegmentDriver.
+/// QueryGlobalPathSegmentExt: ID 24AFh, input of GlobalPathSegmentDriver.
 struct query_global_path_segment_ext {
     std::uint8_t presence_vector{};
     friend constexpr bool operator==(
@@ -36,14 +38,16 @@ struct query_global_path_segment_ext {
         const query_global_path_segment_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x24AF;
+        static constexpr std::uint16_t message_id = 0x24AF;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_global_path_segment_ext;
-        using type = layout<field<&T::presence_vector, u8>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u8>>;
     };
 };
 
-/// ReportGlobalPathSegment: code 440Fh, deprecated, output of GlobalPathSegmentDriver.
+/// ReportGlobalPathSegment: ID 440Fh, deprecated, output of GlobalPathSegmentDriver.
 struct report_global_path_segment {
     double p1_latitude{};                   ///< degree, -90 to 90
     double p1_longitude{};                  ///< degree, -180 to 180
@@ -56,10 +60,11 @@ struct report_global_path_segment {
     friend constexpr bool operator==(const report_global_path_segment&, const report_global_path_segment&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x440F;
+        static constexpr std::uint16_t message_id = 0x440F;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = report_global_path_segment;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::p1_latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::p1_longitude, scaled<u32le, degree_minus_180_to_180>>,
@@ -82,7 +87,7 @@ enum class global_path_segment_driver_p1_z_position_form : std::uint8_t {
 
 /// P1_ZPosition: a number in the form that is named before it.
 struct global_path_segment_driver_p1_z_position {
-    global_path_segment_driver_p1_z_position_form form{};
+    global_path_segment_driver_p1_z_position_form index{};
     double value{}; ///< meter, -50000 to 50000
     friend constexpr bool operator==(
         const global_path_segment_driver_p1_z_position&,
@@ -91,8 +96,8 @@ struct global_path_segment_driver_p1_z_position {
     struct schema : wire::items {
         using T = global_path_segment_driver_p1_z_position;
         using type = layout<
-            field<&T::form, enumeration<global_path_segment_driver_p1_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<global_path_segment_driver_p1_z_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<global_path_segment_driver_p1_z_position_form::altitude_agl,
                     scaled<u32le, meter_minus_50000_to_50000>>,
                 when<global_path_segment_driver_p1_z_position_form::altitude_msl,
@@ -113,15 +118,15 @@ enum class p_z_position_form : std::uint8_t {
 
 /// P_ZPosition: a number in the form that is named before it.
 struct p_z_position {
-    p_z_position_form form{};
+    p_z_position_form index{};
     double value{}; ///< meter, -50000 to 50000
     friend constexpr bool operator==(const p_z_position&, const p_z_position&) = default;
 
     struct schema : wire::items {
         using T = p_z_position;
         using type = layout<
-            field<&T::form, enumeration<p_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<p_z_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<p_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<p_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<p_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
@@ -129,7 +134,7 @@ struct p_z_position {
     };
 };
 
-/// ReportGlobalPathSegmentExt: code 44AFh, output of GlobalPathSegmentDriver.
+/// ReportGlobalPathSegmentExt: ID 44AFh, output of GlobalPathSegmentDriver.
 struct report_global_path_segment_ext {
     double p1_latitude{};                   ///< degree, -90 to 90
     double p1_longitude{};                  ///< degree, -180 to 180
@@ -144,10 +149,11 @@ struct report_global_path_segment_ext {
         const report_global_path_segment_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x44AF;
+        static constexpr std::uint16_t message_id = 0x44AF;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_global_path_segment_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::p1_latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::p1_longitude, scaled<u32le, degree_minus_180_to_180>>,

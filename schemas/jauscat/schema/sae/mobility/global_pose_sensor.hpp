@@ -15,7 +15,7 @@
 // clang-format off
 namespace jauscat::sae::mobility {
 
-/// SetGlobalPose: code 0402h, command, deprecated, input of GlobalPoseSensor.
+/// SetGlobalPose: ID 0402h, command, deprecated, input of GlobalPoseSensor.
 struct set_global_pose {
     std::optional<double> latitude{};     ///< degree, -90 to 90
     std::optional<double> longitude{};    ///< degree, -180 to 180
@@ -29,10 +29,11 @@ struct set_global_pose {
     friend constexpr bool operator==(const set_global_pose&, const set_global_pose&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0402;
+        static constexpr std::uint16_t message_id = 0x0402;
         static constexpr bool is_command = true, is_deprecated = true;
         using T = set_global_pose;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u16le,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,
@@ -56,7 +57,7 @@ enum class global_pose_sensor_z_position_form : std::uint8_t {
 
 /// ZPosition: a number in the form that is named before it.
 struct global_pose_sensor_z_position {
-    global_pose_sensor_z_position_form form{};
+    global_pose_sensor_z_position_form index{};
     double value{}; ///< meter, -50000 to 50000
     friend constexpr bool operator==(
         const global_pose_sensor_z_position&,
@@ -65,8 +66,8 @@ struct global_pose_sensor_z_position {
     struct schema : wire::items {
         using T = global_pose_sensor_z_position;
         using type = layout<
-            field<&T::form, enumeration<global_pose_sensor_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<global_pose_sensor_z_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<global_pose_sensor_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<global_pose_sensor_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<global_pose_sensor_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
@@ -74,7 +75,7 @@ struct global_pose_sensor_z_position {
     };
 };
 
-/// SetGlobalPoseExt: code 04A2h, command, input of GlobalPoseSensor.
+/// SetGlobalPoseExt: ID 04A2h, command, input of GlobalPoseSensor.
 struct set_global_pose_ext {
     std::optional<double> latitude{};            ///< degree, -90 to 90
     std::optional<double> longitude{};           ///< degree, -180 to 180
@@ -90,10 +91,11 @@ struct set_global_pose_ext {
     friend constexpr bool operator==(const set_global_pose_ext&, const set_global_pose_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x04A2;
+        static constexpr std::uint16_t message_id = 0x04A2;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_global_pose_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u16le,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,
@@ -109,57 +111,63 @@ struct set_global_pose_ext {
     };
 };
 
-/// SetGeomagneticProperty: code 0412h, command, input of GlobalPoseSensor.
+/// SetGeomagneticProperty: ID 0412h, command, input of GlobalPoseSensor.
 struct set_geomagnetic_property {
     double magnetic_variation{}; ///< radian, -pi to pi
     friend constexpr bool operator==(const set_geomagnetic_property&, const set_geomagnetic_property&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0412;
+        static constexpr std::uint16_t message_id = 0x0412;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_geomagnetic_property;
-        using type = layout<field<&T::magnetic_variation, scaled<u16le, radian_minus_pi_to_pi>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::magnetic_variation, scaled<u16le, radian_minus_pi_to_pi>>>;
     };
 };
 
-/// QueryGlobalPose: code 2402h, deprecated, input of GlobalPoseSensor.
+/// QueryGlobalPose: ID 2402h, deprecated, input of GlobalPoseSensor.
 struct query_global_pose {
     std::uint16_t presence_vector{};
     friend constexpr bool operator==(const query_global_pose&, const query_global_pose&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2402;
+        static constexpr std::uint16_t message_id = 0x2402;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = query_global_pose;
-        using type = layout<field<&T::presence_vector, u16le>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u16le>>;
     };
 };
 
-/// QueryGlobalPoseExt: code 24A2h, input of GlobalPoseSensor.
+/// QueryGlobalPoseExt: ID 24A2h, input of GlobalPoseSensor.
 struct query_global_pose_ext {
     std::uint16_t presence_vector{};
     friend constexpr bool operator==(const query_global_pose_ext&, const query_global_pose_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x24A2;
+        static constexpr std::uint16_t message_id = 0x24A2;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_global_pose_ext;
-        using type = layout<field<&T::presence_vector, u16le>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u16le>>;
     };
 };
 
-/// QueryGeomagneticProperty: code 2412h, input of GlobalPoseSensor.
+/// QueryGeomagneticProperty: ID 2412h, input of GlobalPoseSensor.
 struct query_geomagnetic_property {
     friend constexpr bool operator==(const query_geomagnetic_property&, const query_geomagnetic_property&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2412;
+        static constexpr std::uint16_t message_id = 0x2412;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportGlobalPose: code 4402h, deprecated, output of GlobalPoseSensor.
+/// ReportGlobalPose: ID 4402h, deprecated, output of GlobalPoseSensor.
 struct report_global_pose {
     std::optional<double> latitude{};     ///< degree, -90 to 90
     std::optional<double> longitude{};    ///< degree, -180 to 180
@@ -173,10 +181,11 @@ struct report_global_pose {
     friend constexpr bool operator==(const report_global_pose&, const report_global_pose&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4402;
+        static constexpr std::uint16_t message_id = 0x4402;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = report_global_pose;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u16le,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,
@@ -190,7 +199,7 @@ struct report_global_pose {
     };
 };
 
-/// ReportGlobalPoseExt: code 44A2h, output of GlobalPoseSensor.
+/// ReportGlobalPoseExt: ID 44A2h, output of GlobalPoseSensor.
 struct report_global_pose_ext {
     std::optional<double> latitude{};            ///< degree, -90 to 90
     std::optional<double> longitude{};           ///< degree, -180 to 180
@@ -210,10 +219,11 @@ struct report_global_pose_ext {
     friend constexpr bool operator==(const report_global_pose_ext&, const report_global_pose_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x44A2;
+        static constexpr std::uint16_t message_id = 0x44A2;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_global_pose_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u16le,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,
@@ -233,16 +243,18 @@ struct report_global_pose_ext {
     };
 };
 
-/// ReportGeomagneticProperty: code 4412h, output of GlobalPoseSensor.
+/// ReportGeomagneticProperty: ID 4412h, output of GlobalPoseSensor.
 struct report_geomagnetic_property {
     double magnetic_variation{}; ///< radian, -pi to pi
     friend constexpr bool operator==(const report_geomagnetic_property&, const report_geomagnetic_property&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4412;
+        static constexpr std::uint16_t message_id = 0x4412;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_geomagnetic_property;
-        using type = layout<field<&T::magnetic_variation, scaled<u16le, radian_minus_pi_to_pi>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::magnetic_variation, scaled<u16le, radian_minus_pi_to_pi>>>;
     };
 };
 

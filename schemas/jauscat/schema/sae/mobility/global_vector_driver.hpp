@@ -15,7 +15,7 @@
 // clang-format off
 namespace jauscat::sae::mobility {
 
-/// SetGlobalVector: code 0407h, command, deprecated, input of GlobalVectorDriver.
+/// SetGlobalVector: ID 0407h, command, deprecated, input of GlobalVectorDriver.
 struct set_global_vector {
     std::optional<double> speed{};    ///< meter per second, 0 to 327.67
     std::optional<double> altitude{}; ///< meter, -10000 to 35000
@@ -25,10 +25,11 @@ struct set_global_vector {
     friend constexpr bool operator==(const set_global_vector&, const set_global_vector&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0407;
+        static constexpr std::uint16_t message_id = 0x0407;
         static constexpr bool is_command = true, is_deprecated = true;
         using T = set_global_vector;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::speed, scaled<u16le, meter_per_second_0_to_327_67>>,
                 field<&T::altitude, scaled<u32le, meter_minus_10000_to_35000>>,
@@ -48,7 +49,7 @@ enum class global_vector_driver_z_position_form : std::uint8_t {
 
 /// ZPosition: a number in the form that is named before it.
 struct global_vector_driver_z_position {
-    global_vector_driver_z_position_form form{};
+    global_vector_driver_z_position_form index{};
     double value{}; ///< meter, -50000 to 50000
     friend constexpr bool operator==(
         const global_vector_driver_z_position&,
@@ -57,8 +58,8 @@ struct global_vector_driver_z_position {
     struct schema : wire::items {
         using T = global_vector_driver_z_position;
         using type = layout<
-            field<&T::form, enumeration<global_vector_driver_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<global_vector_driver_z_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<global_vector_driver_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<global_vector_driver_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<global_vector_driver_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
@@ -66,7 +67,7 @@ struct global_vector_driver_z_position {
     };
 };
 
-/// SetGlobalVectorExt: code 04A7h, command, input of GlobalVectorDriver.
+/// SetGlobalVectorExt: ID 04A7h, command, input of GlobalVectorDriver.
 struct set_global_vector_ext {
     mobility::speed speed{};
     std::optional<global_vector_driver_z_position> z_position{};
@@ -77,10 +78,11 @@ struct set_global_vector_ext {
     friend constexpr bool operator==(const set_global_vector_ext&, const set_global_vector_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x04A7;
+        static constexpr std::uint16_t message_id = 0x04A7;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_global_vector_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 nested<&T::speed>,
                 nested<&T::z_position>,
@@ -91,33 +93,37 @@ struct set_global_vector_ext {
     };
 };
 
-/// QueryGlobalVector: code 2407h, deprecated, input of GlobalVectorDriver.
+/// QueryGlobalVector: ID 2407h, deprecated, input of GlobalVectorDriver.
 struct query_global_vector {
     std::uint8_t presence_vector{};
     friend constexpr bool operator==(const query_global_vector&, const query_global_vector&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2407;
+        static constexpr std::uint16_t message_id = 0x2407;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = query_global_vector;
-        using type = layout<field<&T::presence_vector, u8>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u8>>;
     };
 };
 
-/// QueryGlobalVectorExt: code 24A7h, input of GlobalVectorDriver.
+/// QueryGlobalVectorExt: ID 24A7h, input of GlobalVectorDriver.
 struct query_global_vector_ext {
     std::uint16_t presence_vector{};
     friend constexpr bool operator==(const query_global_vector_ext&, const query_global_vector_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x24A7;
+        static constexpr std::uint16_t message_id = 0x24A7;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_global_vector_ext;
-        using type = layout<field<&T::presence_vector, u16le>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u16le>>;
     };
 };
 
-/// ReportGlobalVector: code 4407h, deprecated, output of GlobalVectorDriver.
+/// ReportGlobalVector: ID 4407h, deprecated, output of GlobalVectorDriver.
 struct report_global_vector {
     std::optional<double> speed{};    ///< meter per second, 0 to 327.67
     std::optional<double> altitude{}; ///< meter, -10000 to 35000
@@ -127,10 +133,11 @@ struct report_global_vector {
     friend constexpr bool operator==(const report_global_vector&, const report_global_vector&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4407;
+        static constexpr std::uint16_t message_id = 0x4407;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = report_global_vector;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::speed, scaled<u16le, meter_per_second_0_to_327_67>>,
                 field<&T::altitude, scaled<u32le, meter_minus_10000_to_35000>>,
@@ -140,7 +147,7 @@ struct report_global_vector {
     };
 };
 
-/// ReportGlobalVectorExt: code 44A7h, output of GlobalVectorDriver.
+/// ReportGlobalVectorExt: ID 44A7h, output of GlobalVectorDriver.
 struct report_global_vector_ext {
     mobility::speed speed{};
     std::optional<global_vector_driver_z_position> z_position{};
@@ -151,10 +158,11 @@ struct report_global_vector_ext {
     friend constexpr bool operator==(const report_global_vector_ext&, const report_global_vector_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x44A7;
+        static constexpr std::uint16_t message_id = 0x44A7;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_global_vector_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 nested<&T::speed>,
                 nested<&T::z_position>,

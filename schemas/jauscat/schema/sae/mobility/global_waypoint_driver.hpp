@@ -15,7 +15,7 @@
 // clang-format off
 namespace jauscat::sae::mobility {
 
-/// SetGlobalWaypoint: code 040Ch, command, deprecated, input of GlobalWaypointDriver.
+/// SetGlobalWaypoint: ID 040Ch, command, deprecated, input of GlobalWaypointDriver.
 struct set_global_waypoint {
     double latitude{};                          ///< degree, -90 to 90
     double longitude{};                         ///< degree, -180 to 180
@@ -28,10 +28,11 @@ struct set_global_waypoint {
     friend constexpr bool operator==(const set_global_waypoint&, const set_global_waypoint&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x040C;
+        static constexpr std::uint16_t message_id = 0x040C;
         static constexpr bool is_command = true, is_deprecated = true;
         using T = set_global_waypoint;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,
@@ -54,7 +55,7 @@ enum class global_waypoint_driver_z_position_form : std::uint8_t {
 
 /// ZPosition: a number in the form that is named before it.
 struct global_waypoint_driver_z_position {
-    global_waypoint_driver_z_position_form form{};
+    global_waypoint_driver_z_position_form index{};
     double value{}; ///< meter, -50000 to 50000
     friend constexpr bool operator==(
         const global_waypoint_driver_z_position&,
@@ -63,8 +64,8 @@ struct global_waypoint_driver_z_position {
     struct schema : wire::items {
         using T = global_waypoint_driver_z_position;
         using type = layout<
-            field<&T::form, enumeration<global_waypoint_driver_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<global_waypoint_driver_z_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<global_waypoint_driver_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<global_waypoint_driver_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<global_waypoint_driver_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
@@ -72,7 +73,7 @@ struct global_waypoint_driver_z_position {
     };
 };
 
-/// SetGlobalWaypointExt: code 04ACh, command, input of GlobalWaypointDriver.
+/// SetGlobalWaypointExt: ID 04ACh, command, input of GlobalWaypointDriver.
 struct set_global_waypoint_ext {
     double latitude{};                          ///< degree, -90 to 90
     double longitude{};                         ///< degree, -180 to 180
@@ -85,10 +86,11 @@ struct set_global_waypoint_ext {
     friend constexpr bool operator==(const set_global_waypoint_ext&, const set_global_waypoint_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x04AC;
+        static constexpr std::uint16_t message_id = 0x04AC;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_global_waypoint_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,

@@ -15,25 +15,25 @@
 // clang-format off
 namespace jauscat::sae::mobility {
 
-/// RequestGPSFix: code 0428h, command, input of GPSFix.
+/// RequestGPSFix: ID 0428h, command, input of GPSFix.
 struct request_gps_fix {
     friend constexpr bool operator==(const request_gps_fix&, const request_gps_fix&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0428;
+        static constexpr std::uint16_t message_id = 0x0428;
         static constexpr bool is_command = true, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// QueryGPSFix: code 2428h, input of GPSFix.
+/// QueryGPSFix: ID 2428h, input of GPSFix.
 struct query_gps_fix {
     friend constexpr bool operator==(const query_gps_fix&, const query_gps_fix&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2428;
+        static constexpr std::uint16_t message_id = 0x2428;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
@@ -75,7 +75,7 @@ struct min_gps_rec {
     struct schema : wire::items {
         using T = min_gps_rec;
         using type = layout<
-            field<&T::gps_validity, enumeration<mobility::gps_validity, u8>>,
+            field<&T::gps_validity, in_value_set<enumeration<mobility::gps_validity, u8>, between<0, 1>>>,
             field<&T::gps_magnetic_variation, scaled<u32le, degree_minus_90_to_90>>>;
     };
 };
@@ -118,9 +118,10 @@ struct alt_gps_rec {
         using T = alt_gps_rec;
         using type = layout<
             presence<u8,
-                field<&T::gps_status, enumeration<mobility::gps_status, u8>>,
-                field<&T::gps_fix_command_status, enumeration<mobility::gps_fix_command_status, u8>>,
-                field<&T::gps_lat_lon_valid, enumeration<mobility::gps_lat_lon_valid, u8>>,
+                field<&T::gps_status, in_value_set<enumeration<mobility::gps_status, u8>, between<0, 3>>>,
+                field<&T::gps_fix_command_status,
+                    in_value_set<enumeration<mobility::gps_fix_command_status, u8>, between<0, 2>>>,
+                field<&T::gps_lat_lon_valid, in_value_set<enumeration<mobility::gps_lat_lon_valid, u8>, between<0, 1>>>,
                 field<&T::gps_velocity_east, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>,
                 field<&T::gps_velocity_north, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>,
                 field<&T::gps_velocity_down, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>,
@@ -130,36 +131,21 @@ struct alt_gps_rec {
     };
 };
 
-/// Variant GPSStatusVar: `tag` is the number of the alternative.
-struct gps_status_var {
-    std::uint8_t tag{};
-    std::variant<min_gps_rec, alt_gps_rec> value{};
-    friend constexpr bool operator==(const gps_status_var&, const gps_status_var&) = default;
-
-    struct schema : wire::items {
-        using T = gps_status_var;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, min_gps_rec>,
-                when<1, alt_gps_rec>>>;
-    };
-};
-
-/// ReportGPSFix: code 4428h, output of GPSFix.
+/// ReportGPSFix: ID 4428h, output of GPSFix.
 struct report_gps_fix {
     mobility::gps_fix_rec gps_fix_rec{};
-    std::optional<mobility::gps_status_var> gps_status_var{};
+    std::optional<std::variant<min_gps_rec, alt_gps_rec>> gps_status_var{};
     friend constexpr bool operator==(const report_gps_fix&, const report_gps_fix&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4428;
+        static constexpr std::uint16_t message_id = 0x4428;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_gps_fix;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 nested<&T::gps_fix_rec>,
-                nested<&T::gps_status_var>>>;
+                variant<&T::gps_status_var, u8>>>;
     };
 };
 

@@ -22,29 +22,31 @@ enum class command : std::uint8_t {
     restart = 2,
 };
 
-/// InertialSensorControl: code 0429h, command, input of InertialSensorControl.
+/// InertialSensorControl: ID 0429h, command, input of InertialSensorControl.
 struct inertial_sensor_control {
     mobility::command command{};
     friend constexpr bool operator==(const inertial_sensor_control&, const inertial_sensor_control&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0429;
+        static constexpr std::uint16_t message_id = 0x0429;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = inertial_sensor_control;
-        using type = layout<field<&T::command, enumeration<mobility::command, u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::command, in_value_set<enumeration<mobility::command, u8>, between<0, 2>>>>;
     };
 };
 
-/// QueryInertialSensorStatus: code 2429h, input of InertialSensorControl.
+/// QueryInertialSensorStatus: ID 2429h, input of InertialSensorControl.
 struct query_inertial_sensor_status {
     friend constexpr bool operator==(
         const query_inertial_sensor_status&,
         const query_inertial_sensor_status&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2429;
+        static constexpr std::uint16_t message_id = 0x2429;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
@@ -68,7 +70,7 @@ enum class operating_state : std::uint8_t {
     inertial_sensor_failure = 8,
 };
 
-/// ReportInertialSensorStatus: code 4429h, output of InertialSensorControl.
+/// ReportInertialSensorStatus: ID 4429h, output of InertialSensorControl.
 struct report_inertial_sensor_status {
     mobility::power_state power_state{};
     mobility::operating_state operating_state{};
@@ -77,12 +79,13 @@ struct report_inertial_sensor_status {
         const report_inertial_sensor_status&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4429;
+        static constexpr std::uint16_t message_id = 0x4429;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_inertial_sensor_status;
         using type = layout<
-            field<&T::power_state, enumeration<mobility::power_state, u8>>,
-            field<&T::operating_state, enumeration<mobility::operating_state, u8>>>;
+            constant<"message_id", u16le, message_id>,
+            field<&T::power_state, in_value_set<enumeration<mobility::power_state, u8>, between<0, 2>>>,
+            field<&T::operating_state, in_value_set<enumeration<mobility::operating_state, u8>, between<0, 8>>>>;
     };
 };
 

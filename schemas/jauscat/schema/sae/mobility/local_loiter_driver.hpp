@@ -26,7 +26,7 @@ enum class local_loiter_driver_z_position_form : std::uint8_t {
 
 /// ZPosition: a number in the form that is named before it.
 struct local_loiter_driver_z_position {
-    local_loiter_driver_z_position_form form{};
+    local_loiter_driver_z_position_form index{};
     double value{}; ///< meter, -50000 to 50000
     friend constexpr bool operator==(
         const local_loiter_driver_z_position&,
@@ -35,8 +35,8 @@ struct local_loiter_driver_z_position {
     struct schema : wire::items {
         using T = local_loiter_driver_z_position;
         using type = layout<
-            field<&T::form, enumeration<local_loiter_driver_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<local_loiter_driver_z_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<local_loiter_driver_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<local_loiter_driver_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<local_loiter_driver_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
@@ -80,71 +80,59 @@ struct local_loiter_driver_hover_rec {
     struct schema : wire::items {
         using T = local_loiter_driver_hover_rec;
         using type = layout<
-            field<&T::hover_preference, enumeration<local_loiter_driver_hover_preference, u8>>,
+            field<&T::hover_preference,
+                in_value_set<enumeration<local_loiter_driver_hover_preference, u8>, between<0, 1>>>,
             field<&T::xy_tolerance, scaled<u32le, meter_0_to_100000>>,
             field<&T::z_tolerance, scaled<u32le, meter_0_to_50000>>>;
     };
 };
 
-/// Variant Loiter: `tag` is the number of the alternative.
-struct local_loiter_driver_loiter {
-    std::uint8_t tag{};
-    std::variant<local_loiter_driver_hover_rec, polygon_rec, race_track_rec> value{};
-    friend constexpr bool operator==(const local_loiter_driver_loiter&, const local_loiter_driver_loiter&) = default;
-
-    struct schema : wire::items {
-        using T = local_loiter_driver_loiter;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, local_loiter_driver_hover_rec>,
-                when<1, polygon_rec>,
-                when<2, race_track_rec>>>;
-    };
-};
-
-/// SetLocalLoiter: code 0426h, command, input of LocalLoiterDriver.
+/// SetLocalLoiter: ID 0426h, command, input of LocalLoiterDriver.
 struct set_local_loiter {
     mobility::local_loiter_rec local_loiter_rec{};
-    local_loiter_driver_loiter loiter{};
+    std::variant<local_loiter_driver_hover_rec, polygon_rec, race_track_rec> loiter{};
     friend constexpr bool operator==(const set_local_loiter&, const set_local_loiter&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0426;
+        static constexpr std::uint16_t message_id = 0x0426;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_local_loiter;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             nested<&T::local_loiter_rec>,
-            nested<&T::loiter>>;
+            variant<&T::loiter, u8>>;
     };
 };
 
-/// QueryLocalLoiter: code 2426h, input of LocalLoiterDriver.
+/// QueryLocalLoiter: ID 2426h, input of LocalLoiterDriver.
 struct query_local_loiter {
     std::uint8_t presence_vector{};
     friend constexpr bool operator==(const query_local_loiter&, const query_local_loiter&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2426;
+        static constexpr std::uint16_t message_id = 0x2426;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_local_loiter;
-        using type = layout<field<&T::presence_vector, u8>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u8>>;
     };
 };
 
-/// ReportLocalLoiter: code 4426h, output of LocalLoiterDriver.
+/// ReportLocalLoiter: ID 4426h, output of LocalLoiterDriver.
 struct report_local_loiter {
     mobility::local_loiter_rec local_loiter_rec{};
-    local_loiter_driver_loiter loiter{};
+    std::variant<local_loiter_driver_hover_rec, polygon_rec, race_track_rec> loiter{};
     friend constexpr bool operator==(const report_local_loiter&, const report_local_loiter&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4426;
+        static constexpr std::uint16_t message_id = 0x4426;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_local_loiter;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             nested<&T::local_loiter_rec>,
-            nested<&T::loiter>>;
+            variant<&T::loiter, u8>>;
     };
 };
 

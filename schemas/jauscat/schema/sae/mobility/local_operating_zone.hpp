@@ -26,7 +26,7 @@ enum class local_operating_zone_min_z_position_form : std::uint8_t {
 
 /// MinZPosition: a number in the form that is named before it.
 struct local_operating_zone_min_z_position {
-    local_operating_zone_min_z_position_form form{};
+    local_operating_zone_min_z_position_form index{};
     double value{}; ///< meter, -50000 to 50000
     friend constexpr bool operator==(
         const local_operating_zone_min_z_position&,
@@ -35,8 +35,8 @@ struct local_operating_zone_min_z_position {
     struct schema : wire::items {
         using T = local_operating_zone_min_z_position;
         using type = layout<
-            field<&T::form, enumeration<local_operating_zone_min_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<local_operating_zone_min_z_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<local_operating_zone_min_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<local_operating_zone_min_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<local_operating_zone_min_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
@@ -56,7 +56,7 @@ enum class local_operating_zone_max_z_position_form : std::uint8_t {
 
 /// MaxZPosition: a number in the form that is named before it.
 struct local_operating_zone_max_z_position {
-    local_operating_zone_max_z_position_form form{};
+    local_operating_zone_max_z_position_form index{};
     double value{}; ///< meter, -50000 to 50000
     friend constexpr bool operator==(
         const local_operating_zone_max_z_position&,
@@ -65,8 +65,8 @@ struct local_operating_zone_max_z_position {
     struct schema : wire::items {
         using T = local_operating_zone_max_z_position;
         using type = layout<
-            field<&T::form, enumeration<local_operating_zone_max_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<local_operating_zone_max_z_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<local_operating_zone_max_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<local_operating_zone_max_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<local_operating_zone_max_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
@@ -126,52 +126,56 @@ struct local_exclusion_zone {
 
     struct schema : wire::items {
         using T = local_exclusion_zone;
-        using type = layout<repeated<&T::elements, count<"elements_count", u8>>>;
+        using type = layout<repeated<&T::elements, count<"number_of_elements", u8>>>;
     };
 };
 
-/// SetLocalOperatingZone: code 0427h, command, input of LocalOperatingZone.
+/// SetLocalOperatingZone: ID 0427h, command, input of LocalOperatingZone.
 struct set_local_operating_zone {
     wire::list<local_polygon_point_rec> local_operating_zone{}; ///< up to 255 elements
     wire::list<local_exclusion_zone> local_exclusion_zones{};   ///< up to 255 elements
     friend constexpr bool operator==(const set_local_operating_zone&, const set_local_operating_zone&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0427;
+        static constexpr std::uint16_t message_id = 0x0427;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_local_operating_zone;
         using type = layout<
-            repeated<&T::local_operating_zone, count<"local_operating_zone_count", u8>>,
-            repeated<&T::local_exclusion_zones, count<"local_exclusion_zones_count", u8>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::local_operating_zone, count<"number_of_local_operating_zone", u8>>,
+            repeated<&T::local_exclusion_zones, count<"number_of_local_exclusion_zones", u8>>>;
     };
 };
 
-/// QueryLocalOperatingZone: code 2427h, input of LocalOperatingZone.
+/// QueryLocalOperatingZone: ID 2427h, input of LocalOperatingZone.
 struct query_local_operating_zone {
     mobility::query_zone_id query_zone_id{}; ///< 2 to 65535
     friend constexpr bool operator==(const query_local_operating_zone&, const query_local_operating_zone&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2427;
+        static constexpr std::uint16_t message_id = 0x2427;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_local_operating_zone;
-        using type = layout<field<&T::query_zone_id, enumeration<mobility::query_zone_id, u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::query_zone_id, enumeration<mobility::query_zone_id, u16le>>>;
     };
 };
 
-/// ReportLocalOperatingZone: code 4427h, output of LocalOperatingZone.
+/// ReportLocalOperatingZone: ID 4427h, output of LocalOperatingZone.
 struct report_local_operating_zone {
     wire::list<local_polygon_point_rec> local_operating_zone{}; ///< up to 255 elements
     wire::list<local_exclusion_zone> local_exclusion_zones{};   ///< up to 255 elements
     friend constexpr bool operator==(const report_local_operating_zone&, const report_local_operating_zone&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4427;
+        static constexpr std::uint16_t message_id = 0x4427;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_local_operating_zone;
         using type = layout<
-            repeated<&T::local_operating_zone, count<"local_operating_zone_count", u8>>,
-            repeated<&T::local_exclusion_zones, count<"local_exclusion_zones_count", u8>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::local_operating_zone, count<"number_of_local_operating_zone", u8>>,
+            repeated<&T::local_exclusion_zones, count<"number_of_local_exclusion_zones", u8>>>;
     };
 };
 

@@ -15,20 +15,22 @@
 // clang-format off
 namespace jauscat::sae::mobility {
 
-/// QueryLocalPathSegment: code 2410h, deprecated, input of LocalPathSegmentDriver.
+/// QueryLocalPathSegment: ID 2410h, deprecated, input of LocalPathSegmentDriver.
 struct query_local_path_segment {
     std::uint8_t presence_vector{};
     friend constexpr bool operator==(const query_local_path_segment&, const query_local_path_segment&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2410;
+        static constexpr std::uint16_t message_id = 0x2410;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = query_local_path_segment;
-        using type = layout<field<&T::presence_vector, u8>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u8>>;
     };
 };
 
-/// QueryLocalPathSegmentExt: code 24B0h, input of LocalPathSegmentDriver.
+/// QueryLocalPathSegmentExt: ID 24B0h, input of LocalPathSegmentDriver.
 struct query_local_path_segment_ext {
     std::uint8_t presence_vector{};
     friend constexpr bool operator==(
@@ -36,14 +38,16 @@ struct query_local_path_segment_ext {
         const query_local_path_segment_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x24B0;
+        static constexpr std::uint16_t message_id = 0x24B0;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_local_path_segment_ext;
-        using type = layout<field<&T::presence_vector, u8>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u8>>;
     };
 };
 
-/// ReportLocalPathSegment: code 4410h, deprecated, output of LocalPathSegmentDriver.
+/// ReportLocalPathSegment: ID 4410h, deprecated, output of LocalPathSegmentDriver.
 struct report_local_path_segment {
     double p1_x{};                          ///< meter, -100000 to 100000
     double p1_y{};                          ///< meter, -100000 to 100000
@@ -56,10 +60,11 @@ struct report_local_path_segment {
     friend constexpr bool operator==(const report_local_path_segment&, const report_local_path_segment&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4410;
+        static constexpr std::uint16_t message_id = 0x4410;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = report_local_path_segment;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::p1_x, scaled<u32le, meter_minus_100000_to_100000>>,
                 field<&T::p1_y, scaled<u32le, meter_minus_100000_to_100000>>,
@@ -83,7 +88,7 @@ enum class local_path_segment_driver_p1_z_position_form : std::uint8_t {
 
 /// P1_ZPosition: a number in the form that is named before it.
 struct local_path_segment_driver_p1_z_position {
-    local_path_segment_driver_p1_z_position_form form{};
+    local_path_segment_driver_p1_z_position_form index{};
     double value{}; ///< meter, -50000 to 50000
     friend constexpr bool operator==(
         const local_path_segment_driver_p1_z_position&,
@@ -92,8 +97,8 @@ struct local_path_segment_driver_p1_z_position {
     struct schema : wire::items {
         using T = local_path_segment_driver_p1_z_position;
         using type = layout<
-            field<&T::form, enumeration<local_path_segment_driver_p1_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<local_path_segment_driver_p1_z_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<local_path_segment_driver_p1_z_position_form::altitude_agl,
                     scaled<u32le, meter_minus_50000_to_50000>>,
                 when<local_path_segment_driver_p1_z_position_form::altitude_msl,
@@ -117,15 +122,15 @@ enum class p2_z_position_form : std::uint8_t {
 
 /// P2_ZPosition: a number in the form that is named before it.
 struct p2_z_position {
-    p2_z_position_form form{};
+    p2_z_position_form index{};
     double value{}; ///< meter, -50000 to 50000
     friend constexpr bool operator==(const p2_z_position&, const p2_z_position&) = default;
 
     struct schema : wire::items {
         using T = p2_z_position;
         using type = layout<
-            field<&T::form, enumeration<p2_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<p2_z_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<p2_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<p2_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<p2_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
@@ -134,7 +139,7 @@ struct p2_z_position {
     };
 };
 
-/// ReportLocalPathSegmentExt: code 44B0h, output of LocalPathSegmentDriver.
+/// ReportLocalPathSegmentExt: ID 44B0h, output of LocalPathSegmentDriver.
 struct report_local_path_segment_ext {
     double p1_x{};                          ///< meter, -20000000 to 20000000
     double p1_y{};                          ///< meter, -20000000 to 20000000
@@ -149,10 +154,11 @@ struct report_local_path_segment_ext {
         const report_local_path_segment_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x44B0;
+        static constexpr std::uint16_t message_id = 0x44B0;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_local_path_segment_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::p1_x, scaled<u32le, meter_minus_20000000_to_20000000>>,
                 field<&T::p1_y, scaled<u32le, meter_minus_20000000_to_20000000>>,

@@ -15,7 +15,7 @@
 // clang-format off
 namespace jauscat::sae::mobility {
 
-/// SetLocalVector: code 0408h, command, deprecated, input of LocalVectorDriver.
+/// SetLocalVector: ID 0408h, command, deprecated, input of LocalVectorDriver.
 struct set_local_vector {
     double speed{};                  ///< meter per second, 0 to 327.67
     std::optional<double> z{};       ///< meter, -10000 to 35000
@@ -25,10 +25,11 @@ struct set_local_vector {
     friend constexpr bool operator==(const set_local_vector&, const set_local_vector&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0408;
+        static constexpr std::uint16_t message_id = 0x0408;
         static constexpr bool is_command = true, is_deprecated = true;
         using T = set_local_vector;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::speed, scaled<u16le, meter_per_second_0_to_327_67>>,
                 field<&T::z, scaled<u32le, meter_minus_10000_to_35000>>,
@@ -49,7 +50,7 @@ enum class local_vector_driver_z_position_form : std::uint8_t {
 
 /// ZPosition: a number in the form that is named before it.
 struct local_vector_driver_z_position {
-    local_vector_driver_z_position_form form{};
+    local_vector_driver_z_position_form index{};
     double value{}; ///< meter, -50000 to 50000
     friend constexpr bool operator==(
         const local_vector_driver_z_position&,
@@ -58,8 +59,8 @@ struct local_vector_driver_z_position {
     struct schema : wire::items {
         using T = local_vector_driver_z_position;
         using type = layout<
-            field<&T::form, enumeration<local_vector_driver_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<local_vector_driver_z_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<local_vector_driver_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<local_vector_driver_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<local_vector_driver_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
@@ -68,7 +69,7 @@ struct local_vector_driver_z_position {
     };
 };
 
-/// SetLocalVectorExt: code 04A8h, command, input of LocalVectorDriver.
+/// SetLocalVectorExt: ID 04A8h, command, input of LocalVectorDriver.
 struct set_local_vector_ext {
     mobility::speed speed{};
     std::optional<local_vector_driver_z_position> z_position{};
@@ -79,10 +80,11 @@ struct set_local_vector_ext {
     friend constexpr bool operator==(const set_local_vector_ext&, const set_local_vector_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x04A8;
+        static constexpr std::uint16_t message_id = 0x04A8;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_local_vector_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 nested<&T::speed>,
                 nested<&T::z_position>,
@@ -93,33 +95,37 @@ struct set_local_vector_ext {
     };
 };
 
-/// QueryLocalVector: code 2408h, deprecated, input of LocalVectorDriver.
+/// QueryLocalVector: ID 2408h, deprecated, input of LocalVectorDriver.
 struct query_local_vector {
     std::uint8_t presence_vector{};
     friend constexpr bool operator==(const query_local_vector&, const query_local_vector&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2408;
+        static constexpr std::uint16_t message_id = 0x2408;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = query_local_vector;
-        using type = layout<field<&T::presence_vector, u8>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u8>>;
     };
 };
 
-/// QueryLocalVectorExt: code 24A8h, input of LocalVectorDriver.
+/// QueryLocalVectorExt: ID 24A8h, input of LocalVectorDriver.
 struct query_local_vector_ext {
     std::uint16_t presence_vector{};
     friend constexpr bool operator==(const query_local_vector_ext&, const query_local_vector_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x24A8;
+        static constexpr std::uint16_t message_id = 0x24A8;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_local_vector_ext;
-        using type = layout<field<&T::presence_vector, u16le>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u16le>>;
     };
 };
 
-/// ReportLocalVector: code 4408h, deprecated, output of LocalVectorDriver.
+/// ReportLocalVector: ID 4408h, deprecated, output of LocalVectorDriver.
 struct report_local_vector {
     double speed{};                  ///< meter per second, 0 to 327.67
     std::optional<double> z{};       ///< meter, -10000 to 35000
@@ -129,10 +135,11 @@ struct report_local_vector {
     friend constexpr bool operator==(const report_local_vector&, const report_local_vector&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4408;
+        static constexpr std::uint16_t message_id = 0x4408;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = report_local_vector;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::speed, scaled<u16le, meter_per_second_0_to_327_67>>,
                 field<&T::z, scaled<u32le, meter_minus_10000_to_35000>>,
@@ -142,7 +149,7 @@ struct report_local_vector {
     };
 };
 
-/// ReportLocalVectorExt: code 44A8h, output of LocalVectorDriver.
+/// ReportLocalVectorExt: ID 44A8h, output of LocalVectorDriver.
 struct report_local_vector_ext {
     mobility::speed speed{};
     std::optional<local_vector_driver_z_position> z_position{};
@@ -153,10 +160,11 @@ struct report_local_vector_ext {
     friend constexpr bool operator==(const report_local_vector_ext&, const report_local_vector_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x44A8;
+        static constexpr std::uint16_t message_id = 0x44A8;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_local_vector_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 nested<&T::speed>,
                 nested<&T::z_position>,

@@ -15,7 +15,7 @@
 // clang-format off
 namespace jauscat::sae::mobility {
 
-/// SetLocalWaypoint: code 040Dh, command, deprecated, input of LocalWaypointDriver.
+/// SetLocalWaypoint: ID 040Dh, command, deprecated, input of LocalWaypointDriver.
 struct set_local_waypoint {
     double x{};                                 ///< meter, -100000 to 100000
     double y{};                                 ///< meter, -100000 to 100000
@@ -28,10 +28,11 @@ struct set_local_waypoint {
     friend constexpr bool operator==(const set_local_waypoint&, const set_local_waypoint&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x040D;
+        static constexpr std::uint16_t message_id = 0x040D;
         static constexpr bool is_command = true, is_deprecated = true;
         using T = set_local_waypoint;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::x, scaled<u32le, meter_minus_100000_to_100000>>,
                 field<&T::y, scaled<u32le, meter_minus_100000_to_100000>>,
@@ -55,7 +56,7 @@ enum class local_waypoint_driver_z_position_form : std::uint8_t {
 
 /// ZPosition: a number in the form that is named before it.
 struct local_waypoint_driver_z_position {
-    local_waypoint_driver_z_position_form form{};
+    local_waypoint_driver_z_position_form index{};
     double value{}; ///< meter, -50000 to 50000
     friend constexpr bool operator==(
         const local_waypoint_driver_z_position&,
@@ -64,8 +65,8 @@ struct local_waypoint_driver_z_position {
     struct schema : wire::items {
         using T = local_waypoint_driver_z_position;
         using type = layout<
-            field<&T::form, enumeration<local_waypoint_driver_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<local_waypoint_driver_z_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<local_waypoint_driver_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<local_waypoint_driver_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<local_waypoint_driver_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
@@ -74,7 +75,7 @@ struct local_waypoint_driver_z_position {
     };
 };
 
-/// SetLocalWaypointExt: code 04ADh, command, input of LocalWaypointDriver.
+/// SetLocalWaypointExt: ID 04ADh, command, input of LocalWaypointDriver.
 struct set_local_waypoint_ext {
     double x{};                                 ///< meter, -20000000 to 20000000
     double y{};                                 ///< meter, -20000000 to 20000000
@@ -87,10 +88,11 @@ struct set_local_waypoint_ext {
     friend constexpr bool operator==(const set_local_waypoint_ext&, const set_local_waypoint_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x04AD;
+        static constexpr std::uint16_t message_id = 0x04AD;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_local_waypoint_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::x, scaled<u32le, meter_minus_20000000_to_20000000>>,
                 field<&T::y, scaled<u32le, meter_minus_20000000_to_20000000>>,
@@ -103,33 +105,37 @@ struct set_local_waypoint_ext {
     };
 };
 
-/// QueryLocalWaypoint: code 240Dh, deprecated, input of LocalWaypointDriver.
+/// QueryLocalWaypoint: ID 240Dh, deprecated, input of LocalWaypointDriver.
 struct query_local_waypoint {
     std::uint8_t presence_vector{};
     friend constexpr bool operator==(const query_local_waypoint&, const query_local_waypoint&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x240D;
+        static constexpr std::uint16_t message_id = 0x240D;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = query_local_waypoint;
-        using type = layout<field<&T::presence_vector, u8>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u8>>;
     };
 };
 
-/// QueryLocalWaypointExt: code 24ADh, input of LocalWaypointDriver.
+/// QueryLocalWaypointExt: ID 24ADh, input of LocalWaypointDriver.
 struct query_local_waypoint_ext {
     std::uint16_t presence_vector{};
     friend constexpr bool operator==(const query_local_waypoint_ext&, const query_local_waypoint_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x24AD;
+        static constexpr std::uint16_t message_id = 0x24AD;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_local_waypoint_ext;
-        using type = layout<field<&T::presence_vector, u16le>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u16le>>;
     };
 };
 
-/// ReportLocalWaypoint: code 440Dh, deprecated, output of LocalWaypointDriver.
+/// ReportLocalWaypoint: ID 440Dh, deprecated, output of LocalWaypointDriver.
 struct report_local_waypoint {
     double x{};                                 ///< meter, -100000 to 100000
     double y{};                                 ///< meter, -100000 to 100000
@@ -142,10 +148,11 @@ struct report_local_waypoint {
     friend constexpr bool operator==(const report_local_waypoint&, const report_local_waypoint&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x440D;
+        static constexpr std::uint16_t message_id = 0x440D;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = report_local_waypoint;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::x, scaled<u32le, meter_minus_100000_to_100000>>,
                 field<&T::y, scaled<u32le, meter_minus_100000_to_100000>>,
@@ -158,7 +165,7 @@ struct report_local_waypoint {
     };
 };
 
-/// ReportLocalWaypointExt: code 44ADh, output of LocalWaypointDriver.
+/// ReportLocalWaypointExt: ID 44ADh, output of LocalWaypointDriver.
 struct report_local_waypoint_ext {
     double x{};                                 ///< meter, -20000000 to 20000000
     double y{};                                 ///< meter, -20000000 to 20000000
@@ -171,10 +178,11 @@ struct report_local_waypoint_ext {
     friend constexpr bool operator==(const report_local_waypoint_ext&, const report_local_waypoint_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x44AD;
+        static constexpr std::uint16_t message_id = 0x44AD;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_local_waypoint_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::x, scaled<u32le, meter_minus_20000000_to_20000000>>,
                 field<&T::y, scaled<u32le, meter_minus_20000000_to_20000000>>,

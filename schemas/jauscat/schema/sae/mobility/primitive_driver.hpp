@@ -15,7 +15,7 @@
 // clang-format off
 namespace jauscat::sae::mobility {
 
-/// SetWrenchEffort: code 0405h, command, input of PrimitiveDriver.
+/// SetWrenchEffort: ID 0405h, command, input of PrimitiveDriver.
 struct set_wrench_effort {
     std::optional<double> propulsive_linear_effort_x{};     ///< percent, -100 to 100
     std::optional<double> propulsive_linear_effort_y{};     ///< percent, -100 to 100
@@ -32,10 +32,11 @@ struct set_wrench_effort {
     friend constexpr bool operator==(const set_wrench_effort&, const set_wrench_effort&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0405;
+        static constexpr std::uint16_t message_id = 0x0405;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_wrench_effort;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u16le,
                 field<&T::propulsive_linear_effort_x, scaled<u16le, percent_minus_100_to_100>>,
                 field<&T::propulsive_linear_effort_y, scaled<u16le, percent_minus_100_to_100>>,
@@ -52,20 +53,22 @@ struct set_wrench_effort {
     };
 };
 
-/// QueryWrenchEffort: code 2405h, input of PrimitiveDriver.
+/// QueryWrenchEffort: ID 2405h, input of PrimitiveDriver.
 struct query_wrench_effort {
     std::uint16_t presence_vector{};
     friend constexpr bool operator==(const query_wrench_effort&, const query_wrench_effort&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2405;
+        static constexpr std::uint16_t message_id = 0x2405;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_wrench_effort;
-        using type = layout<field<&T::presence_vector, u16le>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u16le>>;
     };
 };
 
-/// ReportWrenchEffort: code 4405h, output of PrimitiveDriver.
+/// ReportWrenchEffort: ID 4405h, output of PrimitiveDriver.
 struct report_wrench_effort {
     std::optional<double> propulsive_linear_effort_x{};     ///< percent, -100 to 100
     std::optional<double> propulsive_linear_effort_y{};     ///< percent, -100 to 100
@@ -82,10 +85,11 @@ struct report_wrench_effort {
     friend constexpr bool operator==(const report_wrench_effort&, const report_wrench_effort&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4405;
+        static constexpr std::uint16_t message_id = 0x4405;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_wrench_effort;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u16le,
                 field<&T::propulsive_linear_effort_x, scaled<u16le, percent_minus_100_to_100>>,
                 field<&T::propulsive_linear_effort_y, scaled<u16le, percent_minus_100_to_100>>,

@@ -28,11 +28,11 @@ struct time_stamp {
         using T = time_stamp;
         using type = layout<
             bit_fields<u32le,
-                bit_field<&T::milliseconds, 10>,
-                bit_field<&T::seconds, 6>,
-                bit_field<&T::minutes, 6>,
-                bit_field<&T::hour, 5>,
-                bit_field<&T::day, 5>>>;
+                bit_field_in_set<&T::milliseconds, 10, between<0, 999>>,
+                bit_field_in_set<&T::seconds, 6, between<0, 59>>,
+                bit_field_in_set<&T::minutes, 6, between<0, 59>>,
+                bit_field_in_set<&T::hour, 5, between<0, 23>>,
+                bit_field_in_set<&T::day, 5, between<1, 31>>>>;
     };
 };
 
@@ -56,7 +56,7 @@ struct polygon_rec {
         using type = layout<
             field<&T::number_loiter_vertices, u8>,
             field<&T::xy_extent, scaled<u32le, meter_0_to_100000>>,
-            field<&T::loiter_direction, enumeration<mobility::loiter_direction, u8>>,
+            field<&T::loiter_direction, in_value_set<enumeration<mobility::loiter_direction, u8>, between<0, 2>>>,
             field<&T::loiter_bearing, scaled<u16le, radian_0_to_pi>>>;
     };
 };
@@ -79,10 +79,10 @@ struct race_track_rec {
     struct schema : wire::items {
         using T = race_track_rec;
         using type = layout<
-            field<&T::loiter_type, enumeration<mobility::loiter_type, u8>>,
+            field<&T::loiter_type, in_value_set<enumeration<mobility::loiter_type, u8>, between<0, 1>>>,
             field<&T::loiter_radius, scaled<u32le, meter_0_to_200000>>,
             field<&T::loiter_length, scaled<u32le, meter_0_to_200000>>,
-            field<&T::loiter_direction, enumeration<mobility::loiter_direction, u8>>,
+            field<&T::loiter_direction, in_value_set<enumeration<mobility::loiter_direction, u8>, between<0, 2>>>,
             field<&T::loiter_bearing, scaled<u16le, radian_0_to_pi>>>;
     };
 };
@@ -97,15 +97,15 @@ enum class speed_form : std::uint8_t {
 
 /// Speed: a number in the form that is named before it.
 struct speed {
-    speed_form form{};
+    speed_form index{};
     double value{}; ///< as its form says
     friend constexpr bool operator==(const speed&, const speed&) = default;
 
     struct schema : wire::items {
         using T = speed;
         using type = layout<
-            field<&T::form, enumeration<speed_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<speed_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<speed_form::speed_over_ground, scaled<u16le, meter_per_second_minus_327_68_to_327_67>>,
                 when<speed_form::speed_relative_to_medium, scaled<u16le, meter_per_second_minus_327_68_to_327_67>>,
                 when<speed_form::rotations_per_minute, scaled<u16le, rotations_per_minute_minus_1000_to_1000>>,
@@ -113,43 +113,47 @@ struct speed {
     };
 };
 
-/// SetTravelSpeedExt: code 04AAh, command, input of GlobalLoiterDriver, GlobalWaypointDriver, LocalLoiterDriver,
+/// SetTravelSpeedExt: ID 04AAh, command, input of GlobalLoiterDriver, GlobalWaypointDriver, LocalLoiterDriver,
 /// LocalWaypointDriver.
 struct set_travel_speed_ext {
     mobility::speed speed{};
     friend constexpr bool operator==(const set_travel_speed_ext&, const set_travel_speed_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x04AA;
+        static constexpr std::uint16_t message_id = 0x04AA;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_travel_speed_ext;
-        using type = layout<nested<&T::speed>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            nested<&T::speed>>;
     };
 };
 
-/// QueryTravelSpeedExt: code 24AAh, input of GlobalLoiterDriver, GlobalPathSegmentDriver, GlobalWaypointDriver,
+/// QueryTravelSpeedExt: ID 24AAh, input of GlobalLoiterDriver, GlobalPathSegmentDriver, GlobalWaypointDriver,
 /// GlobalWaypointListDriver, LocalLoiterDriver, LocalPathSegmentDriver, LocalWaypointDriver.
 struct query_travel_speed_ext {
     friend constexpr bool operator==(const query_travel_speed_ext&, const query_travel_speed_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x24AA;
+        static constexpr std::uint16_t message_id = 0x24AA;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportTravelSpeedExt: code 44AAh, output of GlobalLoiterDriver, GlobalPathSegmentDriver, GlobalWaypointDriver,
+/// ReportTravelSpeedExt: ID 44AAh, output of GlobalLoiterDriver, GlobalPathSegmentDriver, GlobalWaypointDriver,
 /// GlobalWaypointListDriver, LocalLoiterDriver, LocalPathSegmentDriver, LocalWaypointDriver.
 struct report_travel_speed_ext {
     mobility::speed speed{};
     friend constexpr bool operator==(const report_travel_speed_ext&, const report_travel_speed_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x44AA;
+        static constexpr std::uint16_t message_id = 0x44AA;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_travel_speed_ext;
-        using type = layout<nested<&T::speed>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            nested<&T::speed>>;
     };
 };
 
@@ -170,16 +174,18 @@ struct zone_id_rec {
     };
 };
 
-/// DeleteZone: code 0422h, command, input of GlobalOperatingZone, LocalOperatingZone.
+/// DeleteZone: ID 0422h, command, input of GlobalOperatingZone, LocalOperatingZone.
 struct delete_zone {
     wire::list<zone_id_rec> zone_id_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const delete_zone&, const delete_zone&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0422;
+        static constexpr std::uint16_t message_id = 0x0422;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = delete_zone;
-        using type = layout<repeated<&T::zone_id_list, count<"zone_id_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::zone_id_list, count<"number_of_zone_id_list", u8>>>;
     };
 };
 
@@ -189,16 +195,18 @@ enum class query_zone_id : std::uint16_t {
     operating_zone = 1,
 };
 
-/// QueryExcursion: code 2424h, input of GlobalOperatingZone, LocalOperatingZone.
+/// QueryExcursion: ID 2424h, input of GlobalOperatingZone, LocalOperatingZone.
 struct query_excursion {
     mobility::query_zone_id query_zone_id{}; ///< 2 to 65535
     friend constexpr bool operator==(const query_excursion&, const query_excursion&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2424;
+        static constexpr std::uint16_t message_id = 0x2424;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_excursion;
-        using type = layout<field<&T::query_zone_id, enumeration<mobility::query_zone_id, u16le>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::query_zone_id, enumeration<mobility::query_zone_id, u16le>>>;
     };
 };
 
@@ -219,24 +227,26 @@ struct excursion_rec {
         using T = excursion_rec;
         using type = layout<
             field<&T::zone_id, enumeration<mobility::zone_id, u16le>>,
-            field<&T::zone_status, enumeration<mobility::zone_status, u8>>>;
+            field<&T::zone_status, in_value_set<enumeration<mobility::zone_status, u8>, between<0, 2>>>>;
     };
 };
 
-/// ReportExcursion: code 4424h, output of GlobalOperatingZone, LocalOperatingZone.
+/// ReportExcursion: ID 4424h, output of GlobalOperatingZone, LocalOperatingZone.
 struct report_excursion {
     wire::list<excursion_rec> excursion{}; ///< up to 255 elements
     friend constexpr bool operator==(const report_excursion&, const report_excursion&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4424;
+        static constexpr std::uint16_t message_id = 0x4424;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_excursion;
-        using type = layout<repeated<&T::excursion, count<"excursion_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::excursion, count<"number_of_excursion", u8>>>;
     };
 };
 
-/// ExecuteList: code 041Eh, command, deprecated, input of GlobalPathSegmentDriver, GlobalWaypointListDriver,
+/// ExecuteList: ID 041Eh, command, deprecated, input of GlobalPathSegmentDriver, GlobalWaypointListDriver,
 /// LocalPathSegmentDriver.
 struct execute_list {
     double speed{}; ///< meter per second, 0 to 327.67
@@ -244,17 +254,18 @@ struct execute_list {
     friend constexpr bool operator==(const execute_list&, const execute_list&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x041E;
+        static constexpr std::uint16_t message_id = 0x041E;
         static constexpr bool is_command = true, is_deprecated = true;
         using T = execute_list;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::speed, scaled<u16le, meter_per_second_0_to_327_67>>,
                 field<&T::element_uid, u16le>>>;
     };
 };
 
-/// ExecuteListExt: code 04AEh, command, input of GlobalPathSegmentDriver, GlobalWaypointListDriver,
+/// ExecuteListExt: ID 04AEh, command, input of GlobalPathSegmentDriver, GlobalWaypointListDriver,
 /// LocalPathSegmentDriver.
 struct execute_list_ext {
     mobility::speed speed{};
@@ -262,107 +273,117 @@ struct execute_list_ext {
     friend constexpr bool operator==(const execute_list_ext&, const execute_list_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x04AE;
+        static constexpr std::uint16_t message_id = 0x04AE;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = execute_list_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 nested<&T::speed>,
                 field<&T::element_uid, u16le>>>;
     };
 };
 
-/// QueryTravelSpeed: code 240Ah, deprecated, input of GlobalPathSegmentDriver, GlobalWaypointDriver,
+/// QueryTravelSpeed: ID 240Ah, deprecated, input of GlobalPathSegmentDriver, GlobalWaypointDriver,
 /// GlobalWaypointListDriver, LocalPathSegmentDriver, LocalWaypointDriver.
 struct query_travel_speed {
     friend constexpr bool operator==(const query_travel_speed&, const query_travel_speed&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x240A;
+        static constexpr std::uint16_t message_id = 0x240A;
         static constexpr bool is_command = false, is_deprecated = true;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// QueryActiveElement: code 241Eh, input of GlobalPathSegmentDriver, GlobalWaypointListDriver, LocalPathSegmentDriver.
+/// QueryActiveElement: ID 241Eh, input of GlobalPathSegmentDriver, GlobalWaypointListDriver, LocalPathSegmentDriver.
 struct query_active_element {
     friend constexpr bool operator==(const query_active_element&, const query_active_element&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x241E;
+        static constexpr std::uint16_t message_id = 0x241E;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportTravelSpeed: code 440Ah, deprecated, output of GlobalPathSegmentDriver, GlobalWaypointDriver,
+/// ReportTravelSpeed: ID 440Ah, deprecated, output of GlobalPathSegmentDriver, GlobalWaypointDriver,
 /// GlobalWaypointListDriver, LocalPathSegmentDriver, LocalWaypointDriver.
 struct report_travel_speed {
     double speed{}; ///< meter per second, 0 to 327.67
     friend constexpr bool operator==(const report_travel_speed&, const report_travel_speed&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x440A;
+        static constexpr std::uint16_t message_id = 0x440A;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = report_travel_speed;
-        using type = layout<field<&T::speed, scaled<u16le, meter_per_second_0_to_327_67>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::speed, scaled<u16le, meter_per_second_0_to_327_67>>>;
     };
 };
 
-/// ReportActiveElement: code 441Eh, output of GlobalPathSegmentDriver, GlobalWaypointListDriver,
-/// LocalPathSegmentDriver.
+/// ReportActiveElement: ID 441Eh, output of GlobalPathSegmentDriver, GlobalWaypointListDriver, LocalPathSegmentDriver.
 struct report_active_element {
     std::uint16_t element_uid{};
     friend constexpr bool operator==(const report_active_element&, const report_active_element&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x441E;
+        static constexpr std::uint16_t message_id = 0x441E;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_active_element;
-        using type = layout<field<&T::element_uid, u16le>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::element_uid, u16le>>;
     };
 };
 
-/// SetTravelSpeed: code 040Ah, command, deprecated, input of GlobalWaypointDriver, LocalWaypointDriver.
+/// SetTravelSpeed: ID 040Ah, command, deprecated, input of GlobalWaypointDriver, LocalWaypointDriver.
 struct set_travel_speed {
     double speed{}; ///< meter per second, 0 to 327.67
     friend constexpr bool operator==(const set_travel_speed&, const set_travel_speed&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x040A;
+        static constexpr std::uint16_t message_id = 0x040A;
         static constexpr bool is_command = true, is_deprecated = true;
         using T = set_travel_speed;
-        using type = layout<field<&T::speed, scaled<u16le, meter_per_second_0_to_327_67>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::speed, scaled<u16le, meter_per_second_0_to_327_67>>>;
     };
 };
 
-/// QueryGlobalWaypoint: code 240Ch, deprecated, input of GlobalWaypointDriver, GlobalWaypointListDriver.
+/// QueryGlobalWaypoint: ID 240Ch, deprecated, input of GlobalWaypointDriver, GlobalWaypointListDriver.
 struct query_global_waypoint {
     std::uint8_t presence_vector{};
     friend constexpr bool operator==(const query_global_waypoint&, const query_global_waypoint&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x240C;
+        static constexpr std::uint16_t message_id = 0x240C;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = query_global_waypoint;
-        using type = layout<field<&T::presence_vector, u8>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u8>>;
     };
 };
 
-/// QueryGlobalWaypointExt: code 24ACh, input of GlobalWaypointDriver, GlobalWaypointListDriver.
+/// QueryGlobalWaypointExt: ID 24ACh, input of GlobalWaypointDriver, GlobalWaypointListDriver.
 struct query_global_waypoint_ext {
     std::uint16_t presence_vector{};
     friend constexpr bool operator==(const query_global_waypoint_ext&, const query_global_waypoint_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x24AC;
+        static constexpr std::uint16_t message_id = 0x24AC;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_global_waypoint_ext;
-        using type = layout<field<&T::presence_vector, u16le>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u16le>>;
     };
 };
 
-/// ReportGlobalWaypoint: code 440Ch, deprecated, output of GlobalWaypointDriver, GlobalWaypointListDriver.
+/// ReportGlobalWaypoint: ID 440Ch, deprecated, output of GlobalWaypointDriver, GlobalWaypointListDriver.
 struct report_global_waypoint {
     double latitude{};                          ///< degree, -90 to 90
     double longitude{};                         ///< degree, -180 to 180
@@ -375,10 +396,11 @@ struct report_global_waypoint {
     friend constexpr bool operator==(const report_global_waypoint&, const report_global_waypoint&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x440C;
+        static constexpr std::uint16_t message_id = 0x440C;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = report_global_waypoint;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,
@@ -401,15 +423,15 @@ enum class shared_z_position_form : std::uint8_t {
 
 /// ZPosition: a number in the form that is named before it.
 struct shared_z_position {
-    shared_z_position_form form{};
+    shared_z_position_form index{};
     double value{}; ///< meter, -50000 to 50000
     friend constexpr bool operator==(const shared_z_position&, const shared_z_position&) = default;
 
     struct schema : wire::items {
         using T = shared_z_position;
         using type = layout<
-            field<&T::form, enumeration<shared_z_position_form, u8>>,
-            selected<&T::value, by<&T::form>,
+            field<&T::index, enumeration<shared_z_position_form, u8>>,
+            selected<&T::value, by<&T::index>,
                 when<shared_z_position_form::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<shared_z_position_form::altitude_msl, scaled<u32le, meter_minus_50000_to_50000>>,
                 when<shared_z_position_form::altitude_asf, scaled<u32le, meter_minus_50000_to_50000>>,
@@ -417,7 +439,7 @@ struct shared_z_position {
     };
 };
 
-/// ReportGlobalWaypointExt: code 44ACh, output of GlobalWaypointDriver, GlobalWaypointListDriver.
+/// ReportGlobalWaypointExt: ID 44ACh, output of GlobalWaypointDriver, GlobalWaypointListDriver.
 struct report_global_waypoint_ext {
     double latitude{};                          ///< degree, -90 to 90
     double longitude{};                         ///< degree, -180 to 180
@@ -430,10 +452,11 @@ struct report_global_waypoint_ext {
     friend constexpr bool operator==(const report_global_waypoint_ext&, const report_global_waypoint_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x44AC;
+        static constexpr std::uint16_t message_id = 0x44AC;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_global_waypoint_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,

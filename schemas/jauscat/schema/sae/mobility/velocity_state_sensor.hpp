@@ -15,36 +15,39 @@
 // clang-format off
 namespace jauscat::sae::mobility {
 
-/// QueryVelocityState: code 2404h, deprecated, input of VelocityStateSensor.
+/// QueryVelocityState: ID 2404h, deprecated, input of VelocityStateSensor.
 struct query_velocity_state {
     std::uint16_t presence_vector{};
     friend constexpr bool operator==(const query_velocity_state&, const query_velocity_state&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2404;
+        static constexpr std::uint16_t message_id = 0x2404;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = query_velocity_state;
-        using type = layout<field<&T::presence_vector, u16le>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::presence_vector, u16le>>;
     };
 };
 
-/// QueryVelocityStateExt: code 24A4h, input of VelocityStateSensor.
+/// QueryVelocityStateExt: ID 24A4h, input of VelocityStateSensor.
 struct query_velocity_state_ext {
     std::uint8_t velocity_var_presence_vector{};
     std::uint16_t report_velocity_state_ext_rec_presence_vector{};
     friend constexpr bool operator==(const query_velocity_state_ext&, const query_velocity_state_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x24A4;
+        static constexpr std::uint16_t message_id = 0x24A4;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_velocity_state_ext;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::velocity_var_presence_vector, u8>,
             field<&T::report_velocity_state_ext_rec_presence_vector, u16le>>;
     };
 };
 
-/// ReportVelocityState: code 4404h, deprecated, output of VelocityStateSensor.
+/// ReportVelocityState: ID 4404h, deprecated, output of VelocityStateSensor.
 struct report_velocity_state {
     std::optional<double> velocity_x{};   ///< meter per second, -327.68 to 327.67
     std::optional<double> velocity_y{};   ///< meter per second, -327.68 to 327.67
@@ -58,10 +61,11 @@ struct report_velocity_state {
     friend constexpr bool operator==(const report_velocity_state&, const report_velocity_state&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4404;
+        static constexpr std::uint16_t message_id = 0x4404;
         static constexpr bool is_command = false, is_deprecated = true;
         using T = report_velocity_state;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u16le,
                 field<&T::velocity_x, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>,
                 field<&T::velocity_y, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>,
@@ -126,23 +130,6 @@ struct velocity_ned_rec {
     };
 };
 
-/// Variant VelocityVar: `tag` is the number of the alternative.
-struct velocity_var {
-    std::uint8_t tag{};
-    std::variant<velocity_vehicle_xyz_rec, velocity_local_xyz_rec, velocity_ned_rec> value{};
-    friend constexpr bool operator==(const velocity_var&, const velocity_var&) = default;
-
-    struct schema : wire::items {
-        using T = velocity_var;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, velocity_vehicle_xyz_rec>,
-                when<1, velocity_local_xyz_rec>,
-                when<2, velocity_ned_rec>>>;
-    };
-};
-
 /// Record ReportVelocityStateExtRec.
 struct report_velocity_state_ext_rec {
     std::optional<double> velocity_rms{};             ///< meter per second, 0 to 100
@@ -178,18 +165,19 @@ struct report_velocity_state_ext_rec {
     };
 };
 
-/// ReportVelocityStateExt: code 44A4h, output of VelocityStateSensor.
+/// ReportVelocityStateExt: ID 44A4h, output of VelocityStateSensor.
 struct report_velocity_state_ext {
-    mobility::velocity_var velocity_var{};
+    std::variant<velocity_vehicle_xyz_rec, velocity_local_xyz_rec, velocity_ned_rec> velocity_var{};
     mobility::report_velocity_state_ext_rec report_velocity_state_ext_rec{};
     friend constexpr bool operator==(const report_velocity_state_ext&, const report_velocity_state_ext&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x44A4;
+        static constexpr std::uint16_t message_id = 0x44A4;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_velocity_state_ext;
         using type = layout<
-            nested<&T::velocity_var>,
+            constant<"message_id", u16le, message_id>,
+            variant<&T::velocity_var, u8>,
             nested<&T::report_velocity_state_ext_rec>>;
     };
 };

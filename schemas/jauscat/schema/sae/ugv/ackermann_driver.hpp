@@ -15,7 +15,7 @@
 // clang-format off
 namespace jauscat::sae::ugv {
 
-/// SetAckermannConfiguration: code 0500h, command, input of AckermannDriver.
+/// SetAckermannConfiguration: ID 0500h, command, input of AckermannDriver.
 struct set_ackermann_configuration {
     double steering_angle{};                     ///< radian, -pi / 2 to pi / 2
     double throttle_effort{};                    ///< 0 to 100
@@ -25,10 +25,11 @@ struct set_ackermann_configuration {
     friend constexpr bool operator==(const set_ackermann_configuration&, const set_ackermann_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0500;
+        static constexpr std::uint16_t message_id = 0x0500;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_ackermann_configuration;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::steering_angle, scaled<u16le, radian_minus_pi_by_2_to_pi_by_2>>,
                 field<&T::throttle_effort, scaled<u16le, one_0_to_100>>,
@@ -38,20 +39,20 @@ struct set_ackermann_configuration {
     };
 };
 
-/// QueryAckermannConfiguration: code 2500h, input of AckermannDriver.
+/// QueryAckermannConfiguration: ID 2500h, input of AckermannDriver.
 struct query_ackermann_configuration {
     friend constexpr bool operator==(
         const query_ackermann_configuration&,
         const query_ackermann_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2500;
+        static constexpr std::uint16_t message_id = 0x2500;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportAckermannConfiguration: code 4500h, output of AckermannDriver.
+/// ReportAckermannConfiguration: ID 4500h, output of AckermannDriver.
 struct report_ackermann_configuration {
     double steering_angle{};                 ///< radian, -pi / 2 to pi / 2
     double throttle_effort{};                ///< 0 to 100
@@ -63,10 +64,11 @@ struct report_ackermann_configuration {
         const report_ackermann_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4500;
+        static constexpr std::uint16_t message_id = 0x4500;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_ackermann_configuration;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::steering_angle, scaled<u16le, radian_minus_pi_by_2_to_pi_by_2>>,
                 field<&T::throttle_effort, scaled<u16le, one_0_to_100>>,

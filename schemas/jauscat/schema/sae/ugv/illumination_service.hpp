@@ -15,27 +15,27 @@
 // clang-format off
 namespace jauscat::sae::ugv {
 
-/// QueryIlluminationState: code 2513h, input of IlluminationService.
+/// QueryIlluminationState: ID 2513h, input of IlluminationService.
 struct query_illumination_state {
     friend constexpr bool operator==(const query_illumination_state&, const query_illumination_state&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2513;
+        static constexpr std::uint16_t message_id = 0x2513;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// QueryIlluminationConfiguration: code 2514h, input of IlluminationService.
+/// QueryIlluminationConfiguration: ID 2514h, input of IlluminationService.
 struct query_illumination_configuration {
     friend constexpr bool operator==(
         const query_illumination_configuration&,
         const query_illumination_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2514;
+        static constexpr std::uint16_t message_id = 0x2514;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
@@ -155,29 +155,33 @@ struct illumination {
     };
 };
 
-/// SetIlluminationState: code 0513h, command, input of IlluminationService.
+/// SetIlluminationState: ID 0513h, command, input of IlluminationService.
 struct set_illumination_state {
     ugv::illumination illumination{};
     friend constexpr bool operator==(const set_illumination_state&, const set_illumination_state&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0513;
+        static constexpr std::uint16_t message_id = 0x0513;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_illumination_state;
-        using type = layout<nested<&T::illumination>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            nested<&T::illumination>>;
     };
 };
 
-/// ReportIlluminationState: code 4513h, output of IlluminationService.
+/// ReportIlluminationState: ID 4513h, output of IlluminationService.
 struct report_illumination_state {
     ugv::illumination illumination{};
     friend constexpr bool operator==(const report_illumination_state&, const report_illumination_state&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4513;
+        static constexpr std::uint16_t message_id = 0x4513;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_illumination_state;
-        using type = layout<nested<&T::illumination>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            nested<&T::illumination>>;
     };
 };
 
@@ -321,7 +325,7 @@ struct types {
     };
 };
 
-/// ReportIlluminationConfiguration: code 4514h, output of IlluminationService.
+/// ReportIlluminationConfiguration: ID 4514h, output of IlluminationService.
 struct report_illumination_configuration {
     ugv::types types{};
     friend constexpr bool operator==(
@@ -329,10 +333,12 @@ struct report_illumination_configuration {
         const report_illumination_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4514;
+        static constexpr std::uint16_t message_id = 0x4514;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_illumination_configuration;
-        using type = layout<nested<&T::types>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            nested<&T::types>>;
     };
 };
 

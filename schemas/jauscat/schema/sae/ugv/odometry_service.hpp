@@ -22,16 +22,18 @@ enum class odometry_type : std::uint8_t {
     trip_c = 4,
 };
 
-/// ResetOdometry: code 0515h, command, input of OdometryService.
+/// ResetOdometry: ID 0515h, command, input of OdometryService.
 struct reset_odometry {
     ugv::odometry_type odometry_type{};
     friend constexpr bool operator==(const reset_odometry&, const reset_odometry&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0515;
+        static constexpr std::uint16_t message_id = 0x0515;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = reset_odometry;
-        using type = layout<field<&T::odometry_type, enumeration<ugv::odometry_type, u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::odometry_type, in_value_set<enumeration<ugv::odometry_type, u8>, between<2, 4>>>>;
     };
 };
 
@@ -43,31 +45,34 @@ enum class odom : std::uint8_t {
     trip_c = 4,
 };
 
-/// QueryOdometry: code 2515h, input of OdometryService.
+/// QueryOdometry: ID 2515h, input of OdometryService.
 struct query_odometry {
     ugv::odom odom{};
     friend constexpr bool operator==(const query_odometry&, const query_odometry&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2515;
+        static constexpr std::uint16_t message_id = 0x2515;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_odometry;
-        using type = layout<field<&T::odom, enumeration<ugv::odom, u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::odom, in_value_set<enumeration<ugv::odom, u8>, between<1, 4>>>>;
     };
 };
 
-/// ReportOdometry: code 4515h, output of OdometryService.
+/// ReportOdometry: ID 4515h, output of OdometryService.
 struct report_odometry {
     ugv::odom odom{};
     std::uint32_t odometry{}; ///< meter
     friend constexpr bool operator==(const report_odometry&, const report_odometry&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4515;
+        static constexpr std::uint16_t message_id = 0x4515;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_odometry;
         using type = layout<
-            field<&T::odom, enumeration<ugv::odom, u8>>,
+            constant<"message_id", u16le, message_id>,
+            field<&T::odom, in_value_set<enumeration<ugv::odom, u8>, between<1, 4>>>,
             field<&T::odometry, in_units<u32le, meter>>>;
     };
 };

@@ -15,41 +15,44 @@
 // clang-format off
 namespace jauscat::sae::ugv {
 
-/// SetParkingBrake: code 0512h, command, input of ParkingBrakeDriver.
+/// SetParkingBrake: ID 0512h, command, input of ParkingBrakeDriver.
 struct set_parking_brake {
     double parking_brake{}; ///< 0 to 100
     friend constexpr bool operator==(const set_parking_brake&, const set_parking_brake&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0512;
+        static constexpr std::uint16_t message_id = 0x0512;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_parking_brake;
-        using type = layout<field<&T::parking_brake, scaled<u8, one_0_to_100>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            field<&T::parking_brake, scaled<u8, one_0_to_100>>>;
     };
 };
 
-/// QueryParkingBrake: code 2512h, input of ParkingBrakeDriver.
+/// QueryParkingBrake: ID 2512h, input of ParkingBrakeDriver.
 struct query_parking_brake {
     friend constexpr bool operator==(const query_parking_brake&, const query_parking_brake&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2512;
+        static constexpr std::uint16_t message_id = 0x2512;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportParkingBrake: code 4512h, output of ParkingBrakeDriver.
+/// ReportParkingBrake: ID 4512h, output of ParkingBrakeDriver.
 struct report_parking_brake {
     double commanded_parking_brake{}; ///< 0 to 100
     double actual_parking_brake{};    ///< 0 to 100
     friend constexpr bool operator==(const report_parking_brake&, const report_parking_brake&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4512;
+        static constexpr std::uint16_t message_id = 0x4512;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_parking_brake;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::commanded_parking_brake, scaled<u8, one_0_to_100>>,
             field<&T::actual_parking_brake, scaled<u8, one_0_to_100>>>;
     };

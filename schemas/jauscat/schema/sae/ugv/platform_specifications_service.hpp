@@ -15,16 +15,16 @@
 // clang-format off
 namespace jauscat::sae::ugv {
 
-/// QueryPlatformSpecifications: code 2502h, input of PlatformSpecificationsService.
+/// QueryPlatformSpecifications: ID 2502h, input of PlatformSpecificationsService.
 struct query_platform_specifications {
     friend constexpr bool operator==(
         const query_platform_specifications&,
         const query_platform_specifications&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2502;
+        static constexpr std::uint16_t message_id = 0x2502;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
@@ -59,22 +59,6 @@ struct ackermann {
                 field<&T::min_turn_radius, scaled<u16le, meter_0_to_25>>,
                 field<&T::wheel_separation, scaled<u16le, meter_0_to_30>>,
                 field<&T::drive_wheel_radius, scaled<u16le, meter_0_to_10>>>>;
-    };
-};
-
-/// Variant platformSpecifics: `tag` is the number of the alternative.
-struct platform_specifics {
-    std::uint8_t tag{};
-    std::variant<skidsteer, ackermann> value{};
-    friend constexpr bool operator==(const platform_specifics&, const platform_specifics&) = default;
-
-    struct schema : wire::items {
-        using T = platform_specifics;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, skidsteer>,
-                when<1, ackermann>>>;
     };
 };
 
@@ -148,9 +132,9 @@ struct platform_spec {
     };
 };
 
-/// ReportPlatformSpecifications: code 4502h, output of PlatformSpecificationsService.
+/// ReportPlatformSpecifications: ID 4502h, output of PlatformSpecificationsService.
 struct report_platform_specifications {
-    ugv::platform_specifics platform_specifics{};
+    std::variant<skidsteer, ackermann> platform_specifics{};
     ugv::platform_inertial platform_inertial{};
     ugv::platform_spec platform_spec{};
     friend constexpr bool operator==(
@@ -158,11 +142,12 @@ struct report_platform_specifications {
         const report_platform_specifications&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4502;
+        static constexpr std::uint16_t message_id = 0x4502;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_platform_specifications;
         using type = layout<
-            nested<&T::platform_specifics>,
+            constant<"message_id", u16le, message_id>,
+            variant<&T::platform_specifics, u8>,
             nested<&T::platform_inertial>,
             nested<&T::platform_spec>>;
     };

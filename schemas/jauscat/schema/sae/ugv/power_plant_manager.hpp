@@ -46,7 +46,7 @@ struct gas_engine_configuration_rec {
         using T = gas_engine_configuration_rec;
         using type = layout<
             presence<u8,
-                field<&T::power_state, enumeration<ugv::power_state, u8>>,
+                field<&T::power_state, in_value_set<enumeration<ugv::power_state, u8>, between<1, 3>>>,
                 field<&T::rpm, u16le>,
                 field<&T::throttle, scaled<u16le, one_0_to_100>>>>;
     };
@@ -72,10 +72,10 @@ struct diesel_engine_configuration_rec {
         using T = diesel_engine_configuration_rec;
         using type = layout<
             presence<u8,
-                field<&T::power_state, enumeration<ugv::power_state, u8>>,
+                field<&T::power_state, in_value_set<enumeration<ugv::power_state, u8>, between<1, 3>>>,
                 field<&T::rpm, u16le>,
                 field<&T::throttle, scaled<u16le, one_0_to_100>>,
-                field<&T::plug_state, enumeration<ugv::plug_state, u8>>>>;
+                field<&T::plug_state, in_value_set<enumeration<ugv::plug_state, u8>, between<1, 2>>>>>;
     };
 };
 
@@ -86,7 +86,7 @@ struct battery_configuration_rec {
 
     struct schema : wire::items {
         using T = battery_configuration_rec;
-        using type = layout<field<&T::power_state, enumeration<ugv::power_state, u8>>>;
+        using type = layout<field<&T::power_state, in_value_set<enumeration<ugv::power_state, u8>, between<1, 3>>>>;
     };
 };
 
@@ -97,7 +97,7 @@ struct hydraulic_configuration_rec {
 
     struct schema : wire::items {
         using T = hydraulic_configuration_rec;
-        using type = layout<field<&T::power_state, enumeration<ugv::power_state, u8>>>;
+        using type = layout<field<&T::power_state, in_value_set<enumeration<ugv::power_state, u8>, between<1, 3>>>>;
     };
 };
 
@@ -110,40 +110,19 @@ struct fuel_cell_configuration_recs {
 
     struct schema : wire::items {
         using T = fuel_cell_configuration_recs;
-        using type = layout<field<&T::power_state, enumeration<ugv::power_state, u8>>>;
-    };
-};
-
-/// Variant powerPlantConfigurationVar: `tag` is the number of the alternative.
-struct power_plant_configuration_var {
-    std::uint8_t tag{};
-    std::variant<
-        gas_engine_configuration_rec,
-        diesel_engine_configuration_rec,
-        battery_configuration_rec,
-        hydraulic_configuration_rec,
-        fuel_cell_configuration_recs> value{};
-    friend constexpr bool operator==(
-        const power_plant_configuration_var&,
-        const power_plant_configuration_var&) = default;
-
-    struct schema : wire::items {
-        using T = power_plant_configuration_var;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, gas_engine_configuration_rec>,
-                when<1, diesel_engine_configuration_rec>,
-                when<2, battery_configuration_rec>,
-                when<3, hydraulic_configuration_rec>,
-                when<4, fuel_cell_configuration_recs>>>;
+        using type = layout<field<&T::power_state, in_value_set<enumeration<ugv::power_state, u8>, between<1, 3>>>>;
     };
 };
 
 /// Sequence powerPlantConfigurationSeq.
 struct power_plant_configuration_seq {
     power_plant_id_record power_plant_id{};
-    ugv::power_plant_configuration_var power_plant_configuration_var{};
+    std::variant<
+        gas_engine_configuration_rec,
+        diesel_engine_configuration_rec,
+        battery_configuration_rec,
+        hydraulic_configuration_rec,
+        fuel_cell_configuration_recs> power_plant_configuration_var{};
     friend constexpr bool operator==(
         const power_plant_configuration_seq&,
         const power_plant_configuration_seq&) = default;
@@ -152,11 +131,11 @@ struct power_plant_configuration_seq {
         using T = power_plant_configuration_seq;
         using type = layout<
             nested<&T::power_plant_id>,
-            nested<&T::power_plant_configuration_var>>;
+            variant<&T::power_plant_configuration_var, u8>>;
     };
 };
 
-/// SetPowerPlantConfiguration: code 0506h, command, input of PowerPlantManager.
+/// SetPowerPlantConfiguration: ID 0506h, command, input of PowerPlantManager.
 struct set_power_plant_configuration {
     wire::list<power_plant_configuration_seq> power_plant_configuration_list{}; ///< up to 255 elements
     friend constexpr bool operator==(
@@ -164,15 +143,16 @@ struct set_power_plant_configuration {
         const set_power_plant_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0506;
+        static constexpr std::uint16_t message_id = 0x0506;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_power_plant_configuration;
         using type = layout<
-            repeated<&T::power_plant_configuration_list, count<"power_plant_configuration_list_count", u8>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::power_plant_configuration_list, count<"number_of_power_plant_configuration_list", u8>>>;
     };
 };
 
-/// QueryPowerPlantConfiguration: code 2506h, input of PowerPlantManager.
+/// QueryPowerPlantConfiguration: ID 2506h, input of PowerPlantManager.
 struct query_power_plant_configuration {
     wire::list<power_plant_id_record> id_list{}; ///< up to 255 elements
     friend constexpr bool operator==(
@@ -180,14 +160,16 @@ struct query_power_plant_configuration {
         const query_power_plant_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2506;
+        static constexpr std::uint16_t message_id = 0x2506;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_power_plant_configuration;
-        using type = layout<repeated<&T::id_list, count<"id_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::id_list, count<"number_of_id_list", u8>>>;
     };
 };
 
-/// QueryPowerPlantCapabilities: code 2507h, input of PowerPlantManager.
+/// QueryPowerPlantCapabilities: ID 2507h, input of PowerPlantManager.
 struct query_power_plant_capabilities {
     wire::list<power_plant_id_record> id_list{}; ///< up to 255 elements
     friend constexpr bool operator==(
@@ -195,27 +177,31 @@ struct query_power_plant_capabilities {
         const query_power_plant_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2507;
+        static constexpr std::uint16_t message_id = 0x2507;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_power_plant_capabilities;
-        using type = layout<repeated<&T::id_list, count<"id_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::id_list, count<"number_of_id_list", u8>>>;
     };
 };
 
-/// QueryPowerPlantStatus: code 2508h, input of PowerPlantManager.
+/// QueryPowerPlantStatus: ID 2508h, input of PowerPlantManager.
 struct query_power_plant_status {
     wire::list<power_plant_id_record> id_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const query_power_plant_status&, const query_power_plant_status&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2508;
+        static constexpr std::uint16_t message_id = 0x2508;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_power_plant_status;
-        using type = layout<repeated<&T::id_list, count<"id_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::id_list, count<"number_of_id_list", u8>>>;
     };
 };
 
-/// ReportPowerPlantConfiguration: code 4506h, output of PowerPlantManager.
+/// ReportPowerPlantConfiguration: ID 4506h, output of PowerPlantManager.
 struct report_power_plant_configuration {
     wire::list<power_plant_configuration_seq> power_plant_configuration_list{}; ///< up to 255 elements
     friend constexpr bool operator==(
@@ -223,11 +209,12 @@ struct report_power_plant_configuration {
         const report_power_plant_configuration&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4506;
+        static constexpr std::uint16_t message_id = 0x4506;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_power_plant_configuration;
         using type = layout<
-            repeated<&T::power_plant_configuration_list, count<"power_plant_configuration_list_count", u8>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::power_plant_configuration_list, count<"number_of_power_plant_configuration_list", u8>>>;
     };
 };
 
@@ -325,7 +312,7 @@ struct battery_capabilities_list {
 
     struct schema : wire::items {
         using T = battery_capabilities_list;
-        using type = layout<repeated<&T::elements, count<"elements_count", u8>>>;
+        using type = layout<repeated<&T::elements, count<"number_of_elements", u8>>>;
     };
 };
 
@@ -357,36 +344,15 @@ struct fuel_cell_capabilities_rec {
     };
 };
 
-/// Variant powerPlantCapabilitiesVar: `tag` is the number of the alternative.
-struct power_plant_capabilities_var {
-    std::uint8_t tag{};
+/// Sequence powerPlantCapabilitiesSeq.
+struct power_plant_capabilities_seq {
+    ugv::power_plant_desc_rec power_plant_desc_rec{};
     std::variant<
         gas_engine_capabilities_rec,
         diesel_engine_capabilities_rec,
         battery_capabilities_list,
         hydraulic_capabilities_rec,
-        fuel_cell_capabilities_rec> value{};
-    friend constexpr bool operator==(
-        const power_plant_capabilities_var&,
-        const power_plant_capabilities_var&) = default;
-
-    struct schema : wire::items {
-        using T = power_plant_capabilities_var;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, gas_engine_capabilities_rec>,
-                when<1, diesel_engine_capabilities_rec>,
-                when<2, battery_capabilities_list>,
-                when<3, hydraulic_capabilities_rec>,
-                when<4, fuel_cell_capabilities_rec>>>;
-    };
-};
-
-/// Sequence powerPlantCapabilitiesSeq.
-struct power_plant_capabilities_seq {
-    ugv::power_plant_desc_rec power_plant_desc_rec{};
-    ugv::power_plant_capabilities_var power_plant_capabilities_var{};
+        fuel_cell_capabilities_rec> power_plant_capabilities_var{};
     friend constexpr bool operator==(
         const power_plant_capabilities_seq&,
         const power_plant_capabilities_seq&) = default;
@@ -395,11 +361,11 @@ struct power_plant_capabilities_seq {
         using T = power_plant_capabilities_seq;
         using type = layout<
             nested<&T::power_plant_desc_rec>,
-            nested<&T::power_plant_capabilities_var>>;
+            variant<&T::power_plant_capabilities_var, u8>>;
     };
 };
 
-/// ReportPowerPlantCapabilities: code 4507h, output of PowerPlantManager.
+/// ReportPowerPlantCapabilities: ID 4507h, output of PowerPlantManager.
 struct report_power_plant_capabilities {
     wire::list<power_plant_capabilities_seq> power_plant_capabilities_list{}; ///< up to 255 elements
     friend constexpr bool operator==(
@@ -407,11 +373,12 @@ struct report_power_plant_capabilities {
         const report_power_plant_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4507;
+        static constexpr std::uint16_t message_id = 0x4507;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_power_plant_capabilities;
         using type = layout<
-            repeated<&T::power_plant_capabilities_list, count<"power_plant_capabilities_list_count", u8>>>;
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::power_plant_capabilities_list, count<"number_of_power_plant_capabilities_list", u8>>>;
     };
 };
 
@@ -515,7 +482,7 @@ struct battery_status {
 
     struct schema : wire::items {
         using T = battery_status;
-        using type = layout<repeated<&T::elements, count<"elements_count", u8>>>;
+        using type = layout<repeated<&T::elements, count<"number_of_elements", u8>>>;
     };
 };
 
@@ -553,49 +520,37 @@ struct fuel_cell_status {
     };
 };
 
-/// Variant powerPlantStatusVar: `tag` is the number of the alternative.
-struct power_plant_status_var {
-    std::uint8_t tag{};
-    std::variant<gas_engine_status, diesel_engine_status, battery_status, hydraulic_status, fuel_cell_status> value{};
-    friend constexpr bool operator==(const power_plant_status_var&, const power_plant_status_var&) = default;
-
-    struct schema : wire::items {
-        using T = power_plant_status_var;
-        using type = layout<
-            field<&T::tag, u8>,
-            selected<&T::value, by<&T::tag>,
-                when<0, gas_engine_status>,
-                when<1, diesel_engine_status>,
-                when<2, battery_status>,
-                when<3, hydraulic_status>,
-                when<4, fuel_cell_status>>>;
-    };
-};
-
 /// Sequence powerPlantStatus.
 struct power_plant_status {
     ugv::power_plant_desc_rec power_plant_desc_rec{};
-    ugv::power_plant_status_var power_plant_status_var{};
+    std::variant<
+        gas_engine_status,
+        diesel_engine_status,
+        battery_status,
+        hydraulic_status,
+        fuel_cell_status> power_plant_status_var{};
     friend constexpr bool operator==(const power_plant_status&, const power_plant_status&) = default;
 
     struct schema : wire::items {
         using T = power_plant_status;
         using type = layout<
             nested<&T::power_plant_desc_rec>,
-            nested<&T::power_plant_status_var>>;
+            variant<&T::power_plant_status_var, u8>>;
     };
 };
 
-/// ReportPowerPlantStatus: code 4508h, output of PowerPlantManager.
+/// ReportPowerPlantStatus: ID 4508h, output of PowerPlantManager.
 struct report_power_plant_status {
     wire::list<power_plant_status> power_plant_status_list{}; ///< up to 255 elements
     friend constexpr bool operator==(const report_power_plant_status&, const report_power_plant_status&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4508;
+        static constexpr std::uint16_t message_id = 0x4508;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_power_plant_status;
-        using type = layout<repeated<&T::power_plant_status_list, count<"power_plant_status_list_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::power_plant_status_list, count<"number_of_power_plant_status_list", u8>>>;
     };
 };
 

@@ -15,44 +15,46 @@
 // clang-format off
 namespace jauscat::sae::ugv {
 
-/// SetSkidSteerEffort: code 0501h, command, input of SkidSteerDriver.
+/// SetSkidSteerEffort: ID 0501h, command, input of SkidSteerDriver.
 struct set_skid_steer_effort {
     double left_side_propulsive_effort{};  ///< -100 to 100
     double right_side_propulsive_effort{}; ///< -100 to 100
     friend constexpr bool operator==(const set_skid_steer_effort&, const set_skid_steer_effort&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0501;
+        static constexpr std::uint16_t message_id = 0x0501;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_skid_steer_effort;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::left_side_propulsive_effort, scaled<u16le, one_minus_100_to_100>>,
             field<&T::right_side_propulsive_effort, scaled<u16le, one_minus_100_to_100>>>;
     };
 };
 
-/// QuerySkidSteerEffort: code 2501h, input of SkidSteerDriver.
+/// QuerySkidSteerEffort: ID 2501h, input of SkidSteerDriver.
 struct query_skid_steer_effort {
     friend constexpr bool operator==(const query_skid_steer_effort&, const query_skid_steer_effort&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2501;
+        static constexpr std::uint16_t message_id = 0x2501;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
-/// ReportSkidSteerEffort: code 4501h, output of SkidSteerDriver.
+/// ReportSkidSteerEffort: ID 4501h, output of SkidSteerDriver.
 struct report_skid_steer_effort {
     double left_side_propulsive_effort{};  ///< -100 to 100
     double right_side_propulsive_effort{}; ///< -100 to 100
     friend constexpr bool operator==(const report_skid_steer_effort&, const report_skid_steer_effort&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4501;
+        static constexpr std::uint16_t message_id = 0x4501;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_skid_steer_effort;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             field<&T::left_side_propulsive_effort, scaled<u16le, one_minus_100_to_100>>,
             field<&T::right_side_propulsive_effort, scaled<u16le, one_minus_100_to_100>>>;
     };

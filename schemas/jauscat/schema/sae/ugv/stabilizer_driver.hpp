@@ -26,29 +26,31 @@ struct query_stabilizer_rec {
     };
 };
 
-/// QueryStabilizerEffort: code 2503h, input of StabilizerDriver.
+/// QueryStabilizerEffort: ID 2503h, input of StabilizerDriver.
 struct query_stabilizer_effort {
     wire::list<query_stabilizer_rec> stabilizer_id{}; ///< up to 255 elements
     friend constexpr bool operator==(const query_stabilizer_effort&, const query_stabilizer_effort&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2503;
+        static constexpr std::uint16_t message_id = 0x2503;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_stabilizer_effort;
-        using type = layout<repeated<&T::stabilizer_id, count<"stabilizer_id_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::stabilizer_id, count<"number_of_stabilizer_id", u8>>>;
     };
 };
 
-/// QueryStabilizerCapabilities: code 2505h, input of StabilizerDriver.
+/// QueryStabilizerCapabilities: ID 2505h, input of StabilizerDriver.
 struct query_stabilizer_capabilities {
     friend constexpr bool operator==(
         const query_stabilizer_capabilities&,
         const query_stabilizer_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2505;
+        static constexpr std::uint16_t message_id = 0x2505;
         static constexpr bool is_command = false, is_deprecated = false;
-        using type = layout<>;
+        using type = layout<constant<"message_id", u16le, message_id>>;
     };
 };
 
@@ -66,16 +68,18 @@ struct stabilizer_effort_rec {
     };
 };
 
-/// SetStabilizerEffort: code 0503h, command, input of StabilizerDriver.
+/// SetStabilizerEffort: ID 0503h, command, input of StabilizerDriver.
 struct set_stabilizer_effort {
     wire::list<stabilizer_effort_rec> stabilizer_effort{}; ///< up to 255 elements
     friend constexpr bool operator==(const set_stabilizer_effort&, const set_stabilizer_effort&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0503;
+        static constexpr std::uint16_t message_id = 0x0503;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_stabilizer_effort;
-        using type = layout<repeated<&T::stabilizer_effort, count<"stabilizer_effort_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::stabilizer_effort, count<"number_of_stabilizer_effort", u8>>>;
     };
 };
 
@@ -95,29 +99,33 @@ struct set_stabilizer_position_stabilizer_position_rec {
     };
 };
 
-/// SetStabilizerPosition: code 0504h, command, input of StabilizerDriver.
+/// SetStabilizerPosition: ID 0504h, command, input of StabilizerDriver.
 struct set_stabilizer_position {
     wire::list<set_stabilizer_position_stabilizer_position_rec> stabilizer_position{}; ///< up to 255 elements
     friend constexpr bool operator==(const set_stabilizer_position&, const set_stabilizer_position&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0504;
+        static constexpr std::uint16_t message_id = 0x0504;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_stabilizer_position;
-        using type = layout<repeated<&T::stabilizer_position, count<"stabilizer_position_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::stabilizer_position, count<"number_of_stabilizer_position", u8>>>;
     };
 };
 
-/// QueryStabilizerPosition: code 2504h, input of StabilizerDriver.
+/// QueryStabilizerPosition: ID 2504h, input of StabilizerDriver.
 struct query_stabilizer_position {
     wire::list<query_stabilizer_rec> stabilizer_id{}; ///< up to 255 elements
     friend constexpr bool operator==(const query_stabilizer_position&, const query_stabilizer_position&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x2504;
+        static constexpr std::uint16_t message_id = 0x2504;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = query_stabilizer_position;
-        using type = layout<repeated<&T::stabilizer_id, count<"stabilizer_id_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::stabilizer_id, count<"number_of_stabilizer_id", u8>>>;
     };
 };
 
@@ -139,16 +147,18 @@ struct report_stabilizer_position_stabilizer_position_rec {
     };
 };
 
-/// ReportStabilizerPosition: code 4504h, output of StabilizerDriver.
+/// ReportStabilizerPosition: ID 4504h, output of StabilizerDriver.
 struct report_stabilizer_position {
     wire::list<report_stabilizer_position_stabilizer_position_rec> stabilizer_position{}; ///< up to 255 elements
     friend constexpr bool operator==(const report_stabilizer_position&, const report_stabilizer_position&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4504;
+        static constexpr std::uint16_t message_id = 0x4504;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_stabilizer_position;
-        using type = layout<repeated<&T::stabilizer_position, count<"stabilizer_position_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::stabilizer_position, count<"number_of_stabilizer_position", u8>>>;
     };
 };
 
@@ -194,11 +204,11 @@ struct stabilizer_capabilities_seq {
         using T = stabilizer_capabilities_seq;
         using type = layout<
             nested<&T::stabilizer_capabilities_rec>,
-            repeated<&T::stabilizer_dimensions_list, count<"stabilizer_dimensions_list_count", u8>>>;
+            repeated<&T::stabilizer_dimensions_list, count<"number_of_stabilizer_dimensions_list", u8>>>;
     };
 };
 
-/// ReportStabilizerCapabilities: code 4505h, output of StabilizerDriver.
+/// ReportStabilizerCapabilities: ID 4505h, output of StabilizerDriver.
 struct report_stabilizer_capabilities {
     wire::list<stabilizer_capabilities_seq> stabilizer_capabilities{}; ///< up to 255 elements
     friend constexpr bool operator==(
@@ -206,23 +216,27 @@ struct report_stabilizer_capabilities {
         const report_stabilizer_capabilities&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4505;
+        static constexpr std::uint16_t message_id = 0x4505;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_stabilizer_capabilities;
-        using type = layout<repeated<&T::stabilizer_capabilities, count<"stabilizer_capabilities_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::stabilizer_capabilities, count<"number_of_stabilizer_capabilities", u8>>>;
     };
 };
 
-/// ReportStabilizerEffort: code 4503h, output of StabilizerDriver.
+/// ReportStabilizerEffort: ID 4503h, output of StabilizerDriver.
 struct report_stabilizer_effort {
     wire::list<stabilizer_effort_rec> stabilizer_effort{}; ///< up to 255 elements
     friend constexpr bool operator==(const report_stabilizer_effort&, const report_stabilizer_effort&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4503;
+        static constexpr std::uint16_t message_id = 0x4503;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_stabilizer_effort;
-        using type = layout<repeated<&T::stabilizer_effort, count<"stabilizer_effort_count", u8>>>;
+        using type = layout<
+            constant<"message_id", u16le, message_id>,
+            repeated<&T::stabilizer_effort, count<"number_of_stabilizer_effort", u8>>>;
     };
 };
 

@@ -15,7 +15,7 @@
 // clang-format off
 namespace jauscat::sae_1_0::mobility {
 
-/// SetLocalVector: code 0408h, command, input of LocalVectorDriver.
+/// SetLocalVector: ID 0408h, command, input of LocalVectorDriver.
 struct set_local_vector {
     std::optional<double> speed{};   ///< meter per second, 0 to 327.67
     std::optional<double> z{};       ///< meter, -10000 to 35000
@@ -25,10 +25,11 @@ struct set_local_vector {
     friend constexpr bool operator==(const set_local_vector&, const set_local_vector&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x0408;
+        static constexpr std::uint16_t message_id = 0x0408;
         static constexpr bool is_command = true, is_deprecated = false;
         using T = set_local_vector;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::speed, scaled<u16le, meter_per_second_0_to_327_67>>,
                 field<&T::z, scaled<u32le, meter_minus_10000_to_35000>>,
@@ -38,7 +39,7 @@ struct set_local_vector {
     };
 };
 
-/// ReportLocalVector: code 4408h, output of LocalVectorDriver.
+/// ReportLocalVector: ID 4408h, output of LocalVectorDriver.
 struct report_local_vector {
     std::optional<double> speed{};   ///< meter per second, 0 to 327.67
     std::optional<double> z{};       ///< meter, -10000 to 35000
@@ -48,10 +49,11 @@ struct report_local_vector {
     friend constexpr bool operator==(const report_local_vector&, const report_local_vector&) = default;
 
     struct schema : wire::items {
-        static constexpr std::uint16_t command_code = 0x4408;
+        static constexpr std::uint16_t message_id = 0x4408;
         static constexpr bool is_command = false, is_deprecated = false;
         using T = report_local_vector;
         using type = layout<
+            constant<"message_id", u16le, message_id>,
             presence<u8,
                 field<&T::speed, scaled<u16le, meter_per_second_0_to_327_67>>,
                 field<&T::z, scaled<u32le, meter_minus_10000_to_35000>>,
