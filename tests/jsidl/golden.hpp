@@ -82,7 +82,11 @@ class comparison {
     template <class T> void record(T& value, const json& fields) {
         REQUIRE(fields.is_object());
         std::map<std::string, const json*> by_name;
-        for (const auto& [name, field] : fields.items()) by_name[jauscat::jsidl::identifier(name, "field")] = &field;
+        for (const auto& [name, field] : fields.items()) {
+            auto member = jauscat::jsidl::identifier(name, "field");
+            if (member.ends_with('_')) member.pop_back(); // a keyword: its member's name is without in text
+            by_name[member] = &field;
+        }
         wire::visit(value, [&]<class Item>(Item, auto& member) {
             const std::string name{Item::name()};
             INFO(name);
