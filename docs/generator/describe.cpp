@@ -76,7 +76,9 @@ struct teller {
     }
     void operator()(const text::structure_form& inner) const { tell_structure(*inner.of); }
     void operator()(const text::packed_form& inner) const { tell_structure(*inner.of); }
-    void operator()(const text::encoded_form& inner) const { tell_structure(*inner.of); }
+    void operator()(const text::encoded_form& inner) const {
+        if (inner.of != nullptr) tell_structure(*inner.of);
+    }
     void operator()(const text::list_form& list) const {
         one.what = part::kind::list;
         if (const auto* const of = structure_in(*list.element)) {
@@ -101,6 +103,8 @@ struct teller {
         one.what = part::kind::choice;
         for (const text::choice_case& each : choice.cases) add_case(each);
     }
+    // No message of RA 3.3 has variants or embedded messages of any type.
+    void operator()(const text::variant_form&) const { one.what = part::kind::choice; }
 
   private:
     void tell_number(const char* kind, unsigned bits) const {

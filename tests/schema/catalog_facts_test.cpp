@@ -252,6 +252,7 @@ class comparison {
               named("structures", "structure", node.attribute("type").value()).child("children").empty());
         form(node, *is.nodes.element);
     }
+    void form(xml_node node, const text::variant_form&) { kind(node, {"no message of RA 3.3 has one"}); }
     void form(xml_node node, const text::choice_form& is) {
         kind(node, {"variant"});
         const xml_node table = named("type-tables", "table", node.attribute("table").value());
