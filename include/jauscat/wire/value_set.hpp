@@ -104,6 +104,12 @@ template <class Element> constexpr bool holds_values(const auto& elements) noexc
     }
     return true;
 }
+template <class Item> constexpr bool size_in_its_set(const auto& value) noexcept {
+    if constexpr (requires { typename Item::count_type::value_set; })
+        return Item::count_type::value_set::contains(value.size());
+    else
+        return true;
+}
 /// A member that is present.
 template <class Item, class Value> constexpr bool in_its_set(const Value& value) noexcept {
     if constexpr (requires { typename Item::value_set; }) {
@@ -113,14 +119,11 @@ template <class Item, class Value> constexpr bool in_its_set(const Value& value)
     } else if constexpr (requires { Item::max_depth; }) {
         return holds_values<Item>(value);
     } else if constexpr (requires { typename Item::element_type; }) {
-        if constexpr (requires { typename Item::count_type::value_set; }) {
-            if (!Item::count_type::value_set::contains(value.size())) return false;
-        }
-        return holds_values<typename Item::element_type>(value);
+        return size_in_its_set<Item>(value) && holds_values<typename Item::element_type>(value);
     } else if constexpr (requires { value.check_values(); }) {
-        return value.check_values() == errc::ok;
-    } else if constexpr (requires { typename Item::count_type::value_set; }) {
-        return Item::count_type::value_set::contains(value.size());
+        return size_in_its_set<Item>(value) && value.check_values() == errc::ok;
+    } else if constexpr (requires { typename Item::count_type; }) {
+        return size_in_its_set<Item>(value);
     } else if constexpr (requires { value.valueless_by_exception(); }) {
         return std::visit(
             []<class Form>(const Form& form) {
