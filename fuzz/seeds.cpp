@@ -73,6 +73,13 @@ void write_messages(const std::filesystem::path& root) {
     }
 }
 
+void write_sae_messages(const std::filesystem::path& root) {
+    seed_folder messages{root, "sae"};
+    std::ifstream file{support::test_data("sae_vectors.jsonl")};
+    for (std::string line; std::getline(file, line);)
+        messages.add(jauscat::test::from_hex(golden::json::parse(line).at("hex").get<std::string>()));
+}
+
 // A frame in the form of fuzz/support/steps.hpp.
 byte_vector step_of(const ethercat::frame_view& frame) {
     byte_vector step(1);
@@ -244,6 +251,7 @@ int main(int count, char** arguments) {
     try {
         const std::filesystem::path root{arguments[1]};
         write_messages(root);
+    write_sae_messages(root);
         write_traffic(root);
         write_segments(root);
         write_packets(root);
