@@ -251,7 +251,7 @@ int main(int count, char** arguments) {
     try {
         const std::filesystem::path root{arguments[1]};
         write_messages(root);
-    write_sae_messages(root);
+        write_sae_messages(root);
         write_traffic(root);
         write_segments(root);
         write_packets(root);

@@ -22,7 +22,6 @@ struct scaled_inner {
 struct outer {
     wire::embedded_message query{};
     std::optional<wire::embedded_message> report{};
-    friend constexpr bool operator==(const outer&, const outer&) = default;
     struct schema : wire::items {
         using T = outer;
         using type = layout<presence<u8, embedded<&T::query, count_between<"query_size", u32le, 2, 1000>>,
