@@ -5,6 +5,10 @@
 #include <jauscat/wire/encode.hpp>
 #include <jauscat/wire/list.hpp>
 
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+
 namespace jauscat::wire {
 
 /// A message that lies elsewhere: a message of the caller's, which is encoded with the one around it, or bytes, as
@@ -44,8 +48,11 @@ class embedded_message {
     /// Writes the message to `out`, which has room for it.
     constexpr out_cursor put(std::byte* out) const noexcept {
         if (type_ != nullptr) return type_->put(object_, out);
-        for (const std::byte octet : bytes_) *out++ = octet;
-        return {out, errc::ok};
+        if (std::is_constant_evaluated())
+            std::copy(bytes_.begin(), bytes_.end(), out);
+        else if (!bytes_.empty())
+            std::memcpy(out, bytes_.data(), bytes_.size());
+        return {out + bytes_.size(), errc::ok};
     }
     /// See wire::check_values. Bytes have no value sets.
     [[nodiscard]] constexpr errc check_values() const noexcept {
