@@ -1,7 +1,7 @@
 // Messages inside messages.
 #include "list_checks.hpp"
 
-namespace {
+namespace embeddings {
 
 struct inner {
     std::uint16_t number{};
@@ -30,7 +30,8 @@ struct outer {
 };
 constexpr auto golden = bytes(1, 4, 0, 0, 0, 0x02, 0x20, 7, 0, 2, 0xAA, 0xBB);
 
-} // namespace
+} // namespace embeddings
+using namespace embeddings;
 
 TEST_CASE("a message of the caller's is encoded in place") {
     const inner query{7};

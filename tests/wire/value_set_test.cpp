@@ -1,7 +1,7 @@
 // Values outside the sets that a standard defines.
 #include "list_checks.hpp"
 
-namespace {
+namespace value_sets {
 
 enum class code : std::uint8_t { accepted = 0, refused = 1, unknown = 255 };
 struct flags {
@@ -37,7 +37,8 @@ constexpr bool outside(std::span<const std::byte> in) {
            wire::check_values(strict) == errc::outside_value_set && encode_error(strict) == errc::outside_value_set;
 }
 
-} // namespace
+} // namespace value_sets
+using namespace value_sets;
 
 TEST_CASE("values in their sets are coded as others") {
     both_ways([] {

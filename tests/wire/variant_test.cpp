@@ -1,7 +1,7 @@
 // Variants: one of several structures with its number before it; constants.
 #include "list_checks.hpp"
 
-namespace {
+namespace variants {
 
 struct point {
     std::uint16_t x{};
@@ -37,7 +37,8 @@ struct target {
 };
 constexpr std::array two_points{point{1}, point{2}};
 
-} // namespace
+} // namespace variants
+using namespace variants;
 
 TEST_CASE("a variant is the number of its alternative and the alternative") {
     require_coding(target{1, nothing{}, 9}, bytes(0x28, 0x44, 1, 1, 0, 0, 0, 9));
