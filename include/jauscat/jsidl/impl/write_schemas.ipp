@@ -434,7 +434,7 @@ class set_writer {
         }
         made.insert(made.begin(), {.head = std::string{codec_name(*of.presence)}});
         items.push_back(
-            {.head = "presence", .arguments = std::move(made), .in_lines = of.children.size() > 1, .kept = 1});
+            {.head = "lenient_presence", .arguments = std::move(made), .in_lines = of.children.size() > 1, .kept = 1});
     }
     void write_bits(const element& of, std::vector<member>& members, std::vector<term>& items) const {
         auto parts = of.children;

@@ -179,7 +179,7 @@ struct query_service_list_component_rec {
     struct schema : wire::items {
         using T = query_service_list_component_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::component_id, enumeration<core::component_id, u8>>,
                 string<&T::search_filter, count<"search_filter_size", u8>>>>;
     };

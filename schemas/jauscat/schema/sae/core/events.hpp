@@ -213,7 +213,7 @@ struct reject_event_request {
         using T = reject_event_request;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::request_id, u8>,
                 field<&T::response_code, in_value_set<enumeration<events_response_code, u8>, between<1, 6>>>,
                 string<&T::error_message, fixed<80>>>>;

@@ -366,7 +366,7 @@ struct digital_audio_output_capabilities_rec {
     struct schema : wire::items {
         using T = digital_audio_output_capabilities_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 field<&T::minimum_allowed_bit_rate, u16le>,
                 field<&T::maximum_allowed_bit_rate, u16le>,

@@ -84,7 +84,7 @@ struct digital_resource_endpoint_rec {
     struct schema : wire::items {
         using T = digital_resource_endpoint_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::server_type, enumeration<environment_sensing::server_type, u8>>,
                 string<&T::server_url, count<"server_url_size", u8>>,
                 nested<&T::jaus_id>,

@@ -106,7 +106,7 @@ struct digital_video_sensor_configuration_rec {
     struct schema : wire::items {
         using T = digital_video_sensor_configuration_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 field<&T::minimum_bit_rate, u16le>,
                 field<&T::maximum_bit_rate, u16le>,
@@ -316,7 +316,7 @@ struct digital_video_sensor_capabilities_rec {
     struct schema : wire::items {
         using T = digital_video_sensor_capabilities_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 field<&T::minimum_bit_rate, u16le>,
                 field<&T::maximum_bit_rate, u16le>,

@@ -117,7 +117,7 @@ struct report_force_torque_capabilities_rec {
     struct schema : wire::items {
         using T = report_force_torque_capabilities_rec;
         using type = layout<
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::sensor_id, u16le>,
                 string<&T::sensor_name, count<"sensor_name_size", u8>>,
                 field<&T::coordinate_transform_supported,
@@ -170,7 +170,7 @@ struct report_force_torque_rec {
     struct schema : wire::items {
         using T = report_force_torque_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::sensor_id, u16le>,
                 field<&T::coordinate_system,
                     in_value_set<enumeration<environment_sensing::coordinate_system, u8>, between<0, 1>>>,

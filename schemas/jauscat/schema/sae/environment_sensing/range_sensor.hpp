@@ -44,7 +44,7 @@ struct range_sensor_configuration_rec {
     struct schema : wire::items {
         using T = range_sensor_configuration_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 field<&T::horizontal_field_of_view_start_angle, scaled<u32le, radian_minus_pi_to_pi>>,
                 field<&T::horizontal_field_of_view_stop_angle, scaled<u32le, radian_minus_pi_to_pi>>,
@@ -296,7 +296,7 @@ struct range_sensor_capabilities_rec {
     struct schema : wire::items {
         using T = range_sensor_capabilities_rec;
         using type = layout<
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 string<&T::sensor_name, count<"sensor_name_size", u8>>,
                 nested<&T::supported_states>,
@@ -425,7 +425,7 @@ struct range_sensor_data_point_rec {
     struct schema : wire::items {
         using T = range_sensor_data_point_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::point_id, u32le>,
                 field<&T::range, scaled<u32le, meter_0_to_1000000>>,
                 field<&T::range_validity,

@@ -53,7 +53,7 @@ struct still_image_sensor_configuration_rec {
     struct schema : wire::items {
         using T = still_image_sensor_configuration_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 field<&T::frame_size, in_value_set<enumeration<environment_sensing::frame_size, u8>, between<0, 28>>>,
                 field<&T::still_image_format,
@@ -223,7 +223,7 @@ struct still_image_data_rec {
     struct schema : wire::items {
         using T = still_image_data_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 field<&T::report_coordinate_system,
                     in_value_set<enumeration<environment_sensing::report_coordinate_system, u8>, between<0, 1>>>,
@@ -378,7 +378,7 @@ struct still_image_sensor_capabilities_rec {
     struct schema : wire::items {
         using T = still_image_sensor_capabilities_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 nested<&T::supported_frame_sizes>,
                 nested<&T::supported_image_formats>>>;

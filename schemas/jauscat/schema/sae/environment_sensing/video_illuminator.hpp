@@ -48,7 +48,7 @@ struct illuminator_rec {
     struct schema : wire::items {
         using T = illuminator_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::illuminator_id, u16le>,
                 field<&T::level, scaled<u16le, percent_0_to_100>>,
                 field<&T::mode, in_value_set<enumeration<environment_sensing::mode, u8>, between<0, 31>>>,
@@ -205,7 +205,7 @@ struct illuminator_capabilities_rec {
     struct schema : wire::items {
         using T = illuminator_capabilities_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::illuminator_id, u16le>,
                 string<&T::illuminator_name, count<"illuminator_name_size", u8>>,
                 nested<&T::supported_illumination_modes>,

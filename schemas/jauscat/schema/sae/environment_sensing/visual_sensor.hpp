@@ -229,7 +229,7 @@ struct visual_sensor_configuration_rec {
     struct schema : wire::items {
         using T = visual_sensor_configuration_rec;
         using type = layout<
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 field<&T::sensor_state,
                     in_value_set<enumeration<environment_sensing::sensor_state, u8>, between<0, 2>>>,
@@ -680,7 +680,7 @@ struct report_visual_sensor_capabilities_visual_sensor_capabilities_rec {
     struct schema : wire::items {
         using T = report_visual_sensor_capabilities_visual_sensor_capabilities_rec;
         using type = layout<
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 string<&T::sensor_name, count<"sensor_name_size", u8>>,
                 nested<&T::supported_states>,
@@ -826,7 +826,7 @@ struct report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec {
     struct schema : wire::items {
         using T = report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec;
         using type = layout<
-            presence<u32le,
+            lenient_presence<u32le,
                 field<&T::sensor_id, in_value_set<u16le, between<1, 65535>>>,
                 string<&T::sensor_name, count<"sensor_name_size", u8>>,
                 nested<&T::supported_states>,

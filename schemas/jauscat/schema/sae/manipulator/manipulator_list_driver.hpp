@@ -26,7 +26,7 @@ struct execute_list {
         using T = execute_list;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8, field<&T::element_uid, u16le>>>;
+            lenient_presence<u8, field<&T::element_uid, u16le>>>;
     };
 };
 

@@ -71,7 +71,7 @@ struct revolute_joint1_offset_rec {
     struct schema : wire::items {
         using T = revolute_joint1_offset_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::joint1_offset, scaled<u16le, meter_minus_10_to_10>>,
                 field<&T::joint1_min_value, scaled<u32le, radian_minus_8_pi_to_8_pi>>,
                 field<&T::joint1_max_value, scaled<u32le, radian_minus_8_pi_to_8_pi>>,
@@ -94,7 +94,7 @@ struct prismatic_joint1_angle_rec {
     struct schema : wire::items {
         using T = prismatic_joint1_angle_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::joint1_angle, scaled<u16le, radian_minus_pi_to_pi>>,
                 field<&T::joint1_min_value, scaled<u32le, meter_minus_10_to_10>>,
                 field<&T::joint1_max_value, scaled<u32le, meter_minus_10_to_10>>,
@@ -122,7 +122,7 @@ struct revolute_joint_specification_rec {
     struct schema : wire::items {
         using T = revolute_joint_specification_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::link_length, scaled<u16le, meter_minus_10_to_10>>,
                 field<&T::twist_angle, scaled<u16le, radian_minus_pi_to_pi>>,
                 field<&T::joint_offset, scaled<u16le, meter_minus_10_to_10>>,
@@ -153,7 +153,7 @@ struct prismatic_joint_specification_rec {
     struct schema : wire::items {
         using T = prismatic_joint_specification_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::link_length, scaled<u16le, meter_minus_10_to_10>>,
                 field<&T::twist_angle, scaled<u16le, radian_minus_pi_to_pi>>,
                 field<&T::joint_angle, scaled<u16le, radian_minus_pi_to_pi>>,
@@ -204,7 +204,7 @@ struct report_manipulator_specifications {
         using T = report_manipulator_specifications;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 nested<&T::manipulator_coordinate_system_rec>,
                 variant<&T::first_joint_parameters, u8>,
                 repeated<&T::joint_specification_list, count<"number_of_joint_specification_list", u8>>,

@@ -57,7 +57,7 @@ struct report_pan_tilt_specifications {
         using T = report_pan_tilt_specifications;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::pan_tilt_coordinate_sys_x, scaled<u32le, meter_minus_30_to_30>>,
                 field<&T::pan_tilt_coordinate_sys_y, scaled<u32le, meter_minus_30_to_30>>,
                 field<&T::pan_tilt_coordinate_sys_z, scaled<u32le, meter_minus_30_to_30>>,

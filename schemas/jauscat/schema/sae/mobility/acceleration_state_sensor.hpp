@@ -66,7 +66,7 @@ struct report_acceleration_state {
         using T = report_acceleration_state;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::acceleration_x, scaled<u32le, meter_per_second_squared_minus_1310_68_to_1310_68>>,
                 field<&T::acceleration_y, scaled<u32le, meter_per_second_squared_minus_1310_68_to_1310_68>>,
                 field<&T::acceleration_z, scaled<u32le, meter_per_second_squared_minus_1310_68_to_1310_68>>,
@@ -101,7 +101,7 @@ struct report_acceleration_state_ext {
         using T = report_acceleration_state_ext;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::acceleration_x, scaled<u32le, meter_per_second_squared_minus_1310_68_to_1310_68>>,
                 field<&T::acceleration_y, scaled<u32le, meter_per_second_squared_minus_1310_68_to_1310_68>>,
                 field<&T::acceleration_z, scaled<u32le, meter_per_second_squared_minus_1310_68_to_1310_68>>,

@@ -53,7 +53,7 @@ struct global_loiter_rec {
     struct schema : wire::items {
         using T = global_loiter_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,
                 nested<&T::z_position>>>;

@@ -88,7 +88,7 @@ struct global_polygon_point_rec {
     struct schema : wire::items {
         using T = global_polygon_point_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,
                 nested<&T::min_z_position>,

@@ -65,7 +65,7 @@ struct report_global_path_segment {
         using T = report_global_path_segment;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::p1_latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::p1_longitude, scaled<u32le, degree_minus_180_to_180>>,
                 field<&T::p1_altitude, scaled<u32le, meter_minus_10000_to_35000>>,
@@ -154,7 +154,7 @@ struct report_global_path_segment_ext {
         using T = report_global_path_segment_ext;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::p1_latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::p1_longitude, scaled<u32le, degree_minus_180_to_180>>,
                 nested<&T::p1_z_position>,

@@ -34,7 +34,7 @@ struct set_global_pose {
         using T = set_global_pose;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,
                 field<&T::altitude, scaled<u32le, meter_minus_10000_to_35000>>,
@@ -96,7 +96,7 @@ struct set_global_pose_ext {
         using T = set_global_pose_ext;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,
                 nested<&T::z_position>,
@@ -186,7 +186,7 @@ struct report_global_pose {
         using T = report_global_pose;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,
                 field<&T::altitude, scaled<u32le, meter_minus_10000_to_35000>>,
@@ -224,7 +224,7 @@ struct report_global_pose_ext {
         using T = report_global_pose_ext;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,
                 field<&T::altitude_agl, scaled<u32le, meter_minus_50000_to_50000>>,

@@ -33,7 +33,7 @@ struct set_global_waypoint {
         using T = set_global_waypoint;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,
                 field<&T::altitude, scaled<u32le, meter_minus_10000_to_35000>>,
@@ -91,7 +91,7 @@ struct set_global_waypoint_ext {
         using T = set_global_waypoint_ext;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,
                 nested<&T::z_position>,

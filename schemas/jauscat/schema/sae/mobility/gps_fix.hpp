@@ -50,7 +50,7 @@ struct gps_fix_rec {
     struct schema : wire::items {
         using T = gps_fix_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::gps_fix_time_seconds, in_units<u32le, second>>,
                 field<&T::gps_fix_time_nano_seconds, u32le>,
                 field<&T::gps_latitude, scaled<u32le, degree_minus_90_to_90>>,
@@ -117,7 +117,7 @@ struct alt_gps_rec {
     struct schema : wire::items {
         using T = alt_gps_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::gps_status, in_value_set<enumeration<mobility::gps_status, u8>, between<0, 3>>>,
                 field<&T::gps_fix_command_status,
                     in_value_set<enumeration<mobility::gps_fix_command_status, u8>, between<0, 2>>>,
@@ -143,7 +143,7 @@ struct report_gps_fix {
         using T = report_gps_fix;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 nested<&T::gps_fix_rec>,
                 variant<&T::gps_status_var, u8>>>;
     };

@@ -55,7 +55,7 @@ struct local_loiter_rec {
     struct schema : wire::items {
         using T = local_loiter_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::x, scaled<u32le, meter_minus_20000000_to_20000000>>,
                 field<&T::y, scaled<u32le, meter_minus_20000000_to_20000000>>,
                 nested<&T::z_position>>>;

@@ -65,7 +65,7 @@ struct report_local_path_segment {
         using T = report_local_path_segment;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::p1_x, scaled<u32le, meter_minus_100000_to_100000>>,
                 field<&T::p1_y, scaled<u32le, meter_minus_100000_to_100000>>,
                 field<&T::p1_z, scaled<u32le, meter_minus_10000_to_35000>>,
@@ -159,7 +159,7 @@ struct report_local_path_segment_ext {
         using T = report_local_path_segment_ext;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::p1_x, scaled<u32le, meter_minus_20000000_to_20000000>>,
                 field<&T::p1_y, scaled<u32le, meter_minus_20000000_to_20000000>>,
                 nested<&T::p1_z_position>,

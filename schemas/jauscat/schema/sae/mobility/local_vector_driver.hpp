@@ -30,7 +30,7 @@ struct set_local_vector {
         using T = set_local_vector;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::speed, scaled<u16le, meter_per_second_0_to_327_67>>,
                 field<&T::z, scaled<u32le, meter_minus_10000_to_35000>>,
                 field<&T::heading, scaled<u16le, radian_minus_pi_to_pi>>,
@@ -85,7 +85,7 @@ struct set_local_vector_ext {
         using T = set_local_vector_ext;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 nested<&T::speed>,
                 nested<&T::z_position>,
                 field<&T::roll, scaled<u16le, radian_minus_pi_to_pi>>,
@@ -140,7 +140,7 @@ struct report_local_vector {
         using T = report_local_vector;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::speed, scaled<u16le, meter_per_second_0_to_327_67>>,
                 field<&T::z, scaled<u32le, meter_minus_10000_to_35000>>,
                 field<&T::heading, scaled<u16le, radian_minus_pi_to_pi>>,
@@ -165,7 +165,7 @@ struct report_local_vector_ext {
         using T = report_local_vector_ext;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 nested<&T::speed>,
                 nested<&T::z_position>,
                 field<&T::roll, scaled<u16le, radian_minus_pi_to_pi>>,

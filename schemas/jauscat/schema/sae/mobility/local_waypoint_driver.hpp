@@ -33,7 +33,7 @@ struct set_local_waypoint {
         using T = set_local_waypoint;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::x, scaled<u32le, meter_minus_100000_to_100000>>,
                 field<&T::y, scaled<u32le, meter_minus_100000_to_100000>>,
                 field<&T::z, scaled<u32le, meter_minus_100000_to_100000>>,
@@ -93,7 +93,7 @@ struct set_local_waypoint_ext {
         using T = set_local_waypoint_ext;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::x, scaled<u32le, meter_minus_20000000_to_20000000>>,
                 field<&T::y, scaled<u32le, meter_minus_20000000_to_20000000>>,
                 nested<&T::z_position>,
@@ -153,7 +153,7 @@ struct report_local_waypoint {
         using T = report_local_waypoint;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::x, scaled<u32le, meter_minus_100000_to_100000>>,
                 field<&T::y, scaled<u32le, meter_minus_100000_to_100000>>,
                 field<&T::z, scaled<u32le, meter_minus_100000_to_100000>>,
@@ -183,7 +183,7 @@ struct report_local_waypoint_ext {
         using T = report_local_waypoint_ext;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::x, scaled<u32le, meter_minus_20000000_to_20000000>>,
                 field<&T::y, scaled<u32le, meter_minus_20000000_to_20000000>>,
                 nested<&T::z_position>,

@@ -37,7 +37,7 @@ struct set_wrench_effort {
         using T = set_wrench_effort;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::propulsive_linear_effort_x, scaled<u16le, percent_minus_100_to_100>>,
                 field<&T::propulsive_linear_effort_y, scaled<u16le, percent_minus_100_to_100>>,
                 field<&T::propulsive_linear_effort_z, scaled<u16le, percent_minus_100_to_100>>,
@@ -90,7 +90,7 @@ struct report_wrench_effort {
         using T = report_wrench_effort;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::propulsive_linear_effort_x, scaled<u16le, percent_minus_100_to_100>>,
                 field<&T::propulsive_linear_effort_y, scaled<u16le, percent_minus_100_to_100>>,
                 field<&T::propulsive_linear_effort_z, scaled<u16le, percent_minus_100_to_100>>,

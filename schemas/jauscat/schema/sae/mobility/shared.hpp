@@ -259,7 +259,7 @@ struct execute_list {
         using T = execute_list;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::speed, scaled<u16le, meter_per_second_0_to_327_67>>,
                 field<&T::element_uid, u16le>>>;
     };
@@ -278,7 +278,7 @@ struct execute_list_ext {
         using T = execute_list_ext;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 nested<&T::speed>,
                 field<&T::element_uid, u16le>>>;
     };
@@ -401,7 +401,7 @@ struct report_global_waypoint {
         using T = report_global_waypoint;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,
                 field<&T::altitude, scaled<u32le, meter_minus_10000_to_35000>>,
@@ -457,7 +457,7 @@ struct report_global_waypoint_ext {
         using T = report_global_waypoint_ext;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::latitude, scaled<u32le, degree_minus_90_to_90>>,
                 field<&T::longitude, scaled<u32le, degree_minus_180_to_180>>,
                 nested<&T::z_position>,

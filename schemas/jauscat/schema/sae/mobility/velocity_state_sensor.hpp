@@ -66,7 +66,7 @@ struct report_velocity_state {
         using T = report_velocity_state;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::velocity_x, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>,
                 field<&T::velocity_y, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>,
                 field<&T::velocity_z, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>,
@@ -89,7 +89,7 @@ struct velocity_vehicle_xyz_rec {
     struct schema : wire::items {
         using T = velocity_vehicle_xyz_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::velocity_x, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>,
                 field<&T::velocity_y, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>,
                 field<&T::velocity_z, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>>>;
@@ -106,7 +106,7 @@ struct velocity_local_xyz_rec {
     struct schema : wire::items {
         using T = velocity_local_xyz_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::velocity_x, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>,
                 field<&T::velocity_y, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>,
                 field<&T::velocity_z, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>>>;
@@ -123,7 +123,7 @@ struct velocity_ned_rec {
     struct schema : wire::items {
         using T = velocity_ned_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::velocity_n, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>,
                 field<&T::velocity_e, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>,
                 field<&T::velocity_d, scaled<u32le, meter_per_second_minus_327_68_to_327_67>>>>;
@@ -150,7 +150,7 @@ struct report_velocity_state_ext_rec {
     struct schema : wire::items {
         using T = report_velocity_state_ext_rec;
         using type = layout<
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::velocity_rms, scaled<u32le, meter_per_second_0_to_100>>,
                 field<&T::roll_rate, scaled<u32le, radian_per_second_minus_32_768_to_32_767>>,
                 field<&T::pitch_rate, scaled<u32le, radian_per_second_minus_32_768_to_32_767>>,

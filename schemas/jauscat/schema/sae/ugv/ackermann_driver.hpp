@@ -30,7 +30,7 @@ struct set_ackermann_configuration {
         using T = set_ackermann_configuration;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::steering_angle, scaled<u16le, radian_minus_pi_by_2_to_pi_by_2>>,
                 field<&T::throttle_effort, scaled<u16le, one_0_to_100>>,
                 field<&T::brake_effort, scaled<u16le, one_0_to_100>>,
@@ -69,7 +69,7 @@ struct report_ackermann_configuration {
         using T = report_ackermann_configuration;
         using type = layout<
             constant<"message_id", u16le, message_id>,
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::steering_angle, scaled<u16le, radian_minus_pi_by_2_to_pi_by_2>>,
                 field<&T::throttle_effort, scaled<u16le, one_0_to_100>>,
                 field<&T::brake_effort, scaled<u16le, one_0_to_100>>,

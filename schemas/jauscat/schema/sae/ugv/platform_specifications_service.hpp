@@ -37,7 +37,7 @@ struct skidsteer {
     struct schema : wire::items {
         using T = skidsteer;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::track_separation, scaled<u16le, meter_0_to_30>>,
                 field<&T::drive_wheel_radius, scaled<u16le, meter_0_to_10>>>>;
     };
@@ -54,7 +54,7 @@ struct ackermann {
     struct schema : wire::items {
         using T = ackermann;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::steering_angle_range, scaled<u16le, radian_minus_pi_by_2_to_pi_by_2>>,
                 field<&T::min_turn_radius, scaled<u16le, meter_0_to_25>>,
                 field<&T::wheel_separation, scaled<u16le, meter_0_to_30>>,
@@ -76,7 +76,7 @@ struct platform_inertial {
     struct schema : wire::items {
         using T = platform_inertial;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::maximum_forward_speed, scaled<u16le, meter_per_second_0_to_90>>,
                 field<&T::maximum_reverse_speed, scaled<u16le, meter_per_second_0_to_90>>,
                 field<&T::maximum_rotational_speed, scaled<u16le, radian_per_second_0_to_6_28>>,
@@ -111,7 +111,7 @@ struct platform_spec {
     struct schema : wire::items {
         using T = platform_spec;
         using type = layout<
-            presence<u16le,
+            lenient_presence<u16le,
                 string<&T::mobility_platform_name, count<"mobility_platform_name_size", u8>>,
                 field<&T::front, scaled<u16le, meter_0_to_30>>,
                 field<&T::back, scaled<u16le, meter_0_to_30>>,

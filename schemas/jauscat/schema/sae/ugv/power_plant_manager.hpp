@@ -45,7 +45,7 @@ struct gas_engine_configuration_rec {
     struct schema : wire::items {
         using T = gas_engine_configuration_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::power_state, in_value_set<enumeration<ugv::power_state, u8>, between<1, 3>>>,
                 field<&T::rpm, u16le>,
                 field<&T::throttle, scaled<u16le, one_0_to_100>>>>;
@@ -71,7 +71,7 @@ struct diesel_engine_configuration_rec {
     struct schema : wire::items {
         using T = diesel_engine_configuration_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::power_state, in_value_set<enumeration<ugv::power_state, u8>, between<1, 3>>>,
                 field<&T::rpm, u16le>,
                 field<&T::throttle, scaled<u16le, one_0_to_100>>,
@@ -246,7 +246,7 @@ struct gas_engine_capabilities_rec {
     struct schema : wire::items {
         using T = gas_engine_capabilities_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::fuel_capacity, scaled<u16le, liter_0_to_256>>,
                 field<&T::oil_capacity, scaled<u16le, liter_0_to_256>>,
                 field<&T::max_oil_pressure, scaled<u16le, bar_0_to_512>>,
@@ -275,7 +275,7 @@ struct diesel_engine_capabilities_rec {
     struct schema : wire::items {
         using T = diesel_engine_capabilities_rec;
         using type = layout<
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::fuel_capacity, scaled<u16le, liter_0_to_256>>,
                 field<&T::oil_capacity, scaled<u16le, liter_0_to_256>>,
                 field<&T::max_oil_pressure, scaled<u16le, bar_0_to_512>>,
@@ -298,7 +298,7 @@ struct battery_capabilities_rec {
     struct schema : wire::items {
         using T = battery_capabilities_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::nominal_voltage, scaled<u16le, volt_0_to_1000>>,
                 field<&T::max_charge, scaled<u32le, coulomb_0_to_3600000>>,
                 field<&T::max_cranking_amps, scaled<u16le, ampere_0_to_5000>>>>;
@@ -326,7 +326,7 @@ struct hydraulic_capabilities_rec {
     struct schema : wire::items {
         using T = hydraulic_capabilities_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::fluid_capacity, scaled<u16le, liter_0_to_256>>,
                 field<&T::max_pressure, scaled<u16le, bar_0_to_512>>,
                 field<&T::max_temp, scaled<u16le, degree_celsius_minus_75_to_180>>>>;
@@ -340,7 +340,7 @@ struct fuel_cell_capabilities_rec {
 
     struct schema : wire::items {
         using T = fuel_cell_capabilities_rec;
-        using type = layout<presence<u8, field<&T::fuel_capacity, scaled<u16le, kilogram_0_to_256>>>>;
+        using type = layout<lenient_presence<u8, field<&T::fuel_capacity, scaled<u16le, kilogram_0_to_256>>>>;
     };
 };
 
@@ -401,7 +401,7 @@ struct gas_engine_status {
     struct schema : wire::items {
         using T = gas_engine_status;
         using type = layout<
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::percent_remaining_fuel, scaled<u16le, one_0_to_100>>,
                 field<&T::percent_oil_pressure, scaled<u16le, one_0_to_200>>,
                 field<&T::percent_oil_level, scaled<u16le, one_0_to_100>>,
@@ -437,7 +437,7 @@ struct diesel_engine_status {
     struct schema : wire::items {
         using T = diesel_engine_status;
         using type = layout<
-            presence<u16le,
+            lenient_presence<u16le,
                 field<&T::percent_remaining_fuel, scaled<u8, one_0_to_100>>,
                 field<&T::percent_oil_pressure, scaled<u8, one_0_to_200>>,
                 field<&T::percent_oil_level, scaled<u16le, one_0_to_100>>,
@@ -466,7 +466,7 @@ struct battery_status_rec {
     struct schema : wire::items {
         using T = battery_status_rec;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::percent_charge_remaining, scaled<u16le, one_0_to_100>>,
                 field<&T::voltage, scaled<u16le, volt_0_to_1000>>,
                 field<&T::current_draw, scaled<u16le, ampere_0_to_1000>>,
@@ -497,7 +497,7 @@ struct hydraulic_status {
     struct schema : wire::items {
         using T = hydraulic_status;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::fluid_level, scaled<u16le, liter_0_to_256>>,
                 field<&T::percent_fluid_pressure, scaled<u16le, one_0_to_200>>,
                 field<&T::fluid_temp, scaled<u16le, degree_celsius_minus_75_to_180>>,
@@ -514,7 +514,7 @@ struct fuel_cell_status {
     struct schema : wire::items {
         using T = fuel_cell_status;
         using type = layout<
-            presence<u8,
+            lenient_presence<u8,
                 field<&T::percent_remaining_fuel, scaled<u16le, one_0_to_100>>,
                 field<&T::total_hours, in_units<u32le, hour>>>>;
     };
