@@ -62,9 +62,9 @@ def graph(direction, lines):
 
 def module_of(header):
     """Of `jauscat/net/link/detail/bind_udp.hpp` it is `net/link/detail`, of `jauscat/net.hpp` nothing. `impl/` belongs to
-    the folder around it, a set of services (`schema/sae/core/`) to that of all sets."""
+    the folder around it, a set of services (`schema/sae/core/`) to that of all sets. `schema/sae/transport/` is a module."""
     folder = header.removeprefix("jauscat/").rpartition("/")[0].removesuffix("/impl")
-    return re.sub(r"^(schema/sae\w*)/.*", r"\1", folder)
+    return re.sub(r"^(schema/sae\w*)/(?!transport).*", r"\1", folder)
 
 
 def all_includes(root):
