@@ -148,6 +148,9 @@ void model::learns_large(std::uint8_t sender, const jaus::header& head, jaus::de
                      .who = account.program->number(),
                      .code = head.command_code,
                      .value = static_cast<std::uint32_t>(one.identity)});
+        if (what == jaus::delivered::timed_out && one.delivered == 0 && is_undisturbed(account, one))
+            breaks(contract::s1, account, 0, "a large data set of which nothing was lost arrives",
+                   "number " + std::to_string(one.identity) + " was given up");
         if (what == jaus::delivered::acknowledged && one.delivered == 0)
             breaks(contract::s1, account, 0, "a large data set is acknowledged when its receiver has all of it",
                    "number " + std::to_string(one.identity) + " was acknowledged, and its receiver has not got it");
@@ -967,20 +970,25 @@ void model::check_ready(const actuator_account& a, time since) {
     }
 }
 
+bool model::is_undisturbed(const sender_account& account, const sent_large& one) const {
+    constexpr time before = std::chrono::seconds{1};
+    const auto to = std::ranges::find(actuators_, one.destination, &actuator_account::id);
+    if (to == actuators_.end() || !to->program->running() || !account.program->running() || account.mute_since)
+        return false;
+    const time quiet = std::max({account.program->jumped_at(), to->program->jumped_at(),
+                                 network_.disturbed_at(account.program->port(), to->port)});
+    return quiet + before <= one.at;
+}
+
 // A set of which no packet was lost or late arrives. One without acknowledgements may be given up for the next one.
 void model::check_large(const sender_account& account) {
     for (const auto& one : account.large) {
-        constexpr time long_enough = std::chrono::seconds{4}, before = std::chrono::seconds{1};
+        constexpr time long_enough = std::chrono::seconds{4};
         const time age = world_.now() - one.at;
         if (!one.wants_acknowledgement || one.life != account.program->life() || age < long_enough ||
             age > long_enough + std::chrono::seconds{1})
             continue;
-        const auto to = std::ranges::find(actuators_, one.destination, &actuator_account::id);
-        if (to == actuators_.end() || !to->program->running() || !account.program->running() || account.mute_since)
-            continue;
-        const time quiet = std::max({account.program->jumped_at(), to->program->jumped_at(),
-                                     network_.disturbed_at(account.program->port(), to->port)});
-        if (quiet + before > one.at) continue;
+        if (!is_undisturbed(account, one)) continue;
         world_.compares(comparison::large_data_arrives);
         if (one.delivered == 0 && !one.closed)
             breaks(contract::s1, account, 0, "a large data set of which nothing was lost arrives",

@@ -243,6 +243,8 @@ class model {
     void check_ready(const actuator_account& a, time since);
     void check_control_is_kept(const actuator_account& a);
     void check_large(const sender_account& account);
+    /// Nothing has happened to the two programs and between them since a second before it was sent.
+    [[nodiscard]] bool is_undisturbed(const sender_account& account, const sent_large& one) const;
     void check_known(const actuator_account& a);
     void check_cause(const actuator_account& a, const char* of);
     void check_kept(actuator_account& a);
