@@ -4,6 +4,7 @@ namespace simulation {
 
 void arm_unit::power_on(time now) {
     now_ = told_to_rest_at_ = now;
+    told_to_move_at_ = {};
     arm_.emplace([](auto&&...) {}, [this] { tell_efforts(); });
     application_.emplace(subsystem, *arm_);
     process_data_.emplace(*arm_);
@@ -53,7 +54,10 @@ void arm_unit::note_order(std::uint16_t index, std::uint8_t subindex, bytes data
     if (code == jaus::command_code_of<jaus::set_emergency>) emergency_ = true;
     if (code == jaus::command_code_of<jaus::clear_emergency>) emergency_ = false;
     const bool is_rest = moves(code) && motion_in(code, order.body) == command_number{0};
-    if (is_rest || code == jaus::command_code_of<jaus::set_emergency>) told_to_rest_at_ = now_;
+    if (is_rest || code == jaus::command_code_of<jaus::set_emergency>)
+        told_to_rest_at_ = now_;
+    else if (moves(code))
+        told_to_move_at_ = now_;
 }
 
 void arm_unit::tell_efforts() {

@@ -41,6 +41,10 @@ class arm_unit final : public device {
     [[nodiscard]] bool in_emergency() const noexcept { return emergency_; }
     /// When its supply came, or it last took zero efforts or Set Emergency by mailbox.
     [[nodiscard]] time told_to_rest_at() const noexcept { return told_to_rest_at_; }
+    /// Whether it was told so after `since`, or before, and has taken no motion command after that.
+    [[nodiscard]] bool rests_by_order(time since) const noexcept {
+        return told_to_rest_at_ >= since || told_to_rest_at_ > told_to_move_at_;
+    }
     /// From now on its mailbox and its states are worked off once in this time only, as a slave with a busy processor
     /// does; 0: with each frame.
     void set_slow(time each) noexcept { slow_ = each; }
@@ -74,7 +78,7 @@ class arm_unit final : public device {
     std::optional<example::arm_process_data> process_data_{};
     std::optional<example::arm_watch> watch_{};
     bool emergency_{};
-    time now_{}, told_to_rest_at_{}, slow_{}, work_at_{};
+    time now_{}, told_to_rest_at_{}, told_to_move_at_{}, slow_{}, work_at_{};
     unsigned aborts_{};
     bool aborted_{}, denies_objects_{};
     ethercat::abort_code abort_{};

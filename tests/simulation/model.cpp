@@ -959,7 +959,7 @@ void model::check_ready(const actuator_account& a, time since) {
     if (a.wire == nullptr) return;
     world_.compares(comparison::ready_after_rest);
     const auto* const arm = arm_of(a);
-    if (arm != nullptr && !(*a.wire)[a.axes.front().slave].cyclic && arm->told_to_rest_at() < since)
+    if (arm != nullptr && !(*a.wire)[a.axes.front().slave].cyclic && !arm->rests_by_order(since))
         breaks(contract::s2, a, 0, "Ready when the slave has confirmed that it is at rest",
                "Ready, and the slave was not told to rest");
     constexpr double standstill = 200; // increments/s
