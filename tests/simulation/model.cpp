@@ -860,7 +860,7 @@ void model::check_kept(actuator_account& a) {
     const bool is_in_use = a.state == primary_status_code::ready || a.state == primary_status_code::standby;
     for (auto& axis : a.axes) {
         const auto& slave = (*a.wire)[axis.slave];
-        if (std::exchange(axis.left_seen, slave.left_at) != slave.left_at && is_in_use)
+        if (std::exchange(axis.left_seen, slave.left_at) != slave.left_at && is_in_use && slave.left_at > a.entered_at)
             check_cause(a, "a slave stays in its state");
     }
 }
