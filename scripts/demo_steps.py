@@ -118,7 +118,7 @@ def efforts_of(body):
             at += struct.calcsize(form)
     return values
 
-# Of a controller: longer than a busy machine keeps a program waiting.
+# Of a controller: longer than a busy machine keeps a program waiting. In cycles, slaves are lost after two periods.
 patience = ["--frame-timeout", "200", "--stop-within", "2000"]
 
 
@@ -439,7 +439,7 @@ class Demonstration:
 
         def six_start():
             self.start_command("drives", "emulated_drives", f"udp:127.0.0.1:{self.drives_port}")
-            self.start("six", "robot_controller", "--this", "d", "--cycle", "10000", *patience)
+            self.start("six", "robot_controller", "--this", "d", "--cycle", "100000", *patience)
             self.require("six", "ready", slave_up=True)
             self.require("six", "state_changed", address="4.2.54.1", to="ready")
             for joint in joints:
