@@ -17,7 +17,7 @@ inline namespace JAUSCAT_WAY {
 
 struct schema_options {
     std::string name_space{"jauscat::sae"};           ///< of the headers; each set has a namespace in it
-    std::string include_prefix{"jauscat/schema/sae"}; ///< folder of the headers in #include lines
+    std::string include_prefix{"jauscat/schema/sae"}; ///< folder of the headers, for programs that include them
     std::optional<std::size_t> capacity{}; ///< of lists inside the messages; none: lists in memory of the caller
     /// Capacities of single lists, by `Message.List` or `List`. A capacity of 0 is memory of the caller.
     std::map<std::string, std::size_t> capacities{};
