@@ -147,7 +147,7 @@ class schema_plan {
         return names;
     }
     static std::string structure_name(const element& of) {
-        const auto name = identifier(of.name, "type");
+        auto name = identifier(of.name, "type");
         const auto members = members_of(of);
         if (std::ranges::find(members, name) == members.end()) return name;
         switch (of.kind) {

@@ -339,7 +339,7 @@ class set_writer {
         std::string made;
         std::string line = "/// " + each.of->name + ": ID " + hexadecimal(each.of->id) + 'h' +
                            (each.of->is_command ? ", command" : "") + (each.of->is_deprecated ? ", deprecated" : "");
-        const auto add = [&](std::string word) {
+        const auto add = [&](const std::string& word) {
             if (line.size() + 2 + word.size() > line_length) { // and a full stop
                 made += line + '\n';
                 line = "///";

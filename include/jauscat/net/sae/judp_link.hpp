@@ -63,7 +63,7 @@ class judp_link {
 
     /// The number of an endpoint in the transport, and the other way round.
     [[nodiscard]] JAUSCAT_DECL static sae::endpoint_key key_of(const endpoint& from) noexcept;
-    [[nodiscard]] JAUSCAT_DECL static endpoint endpoint_of(sae::endpoint_key key) noexcept;
+    [[nodiscard]] JAUSCAT_DECL static endpoint endpoint_of(sae::endpoint_key key);
 
     endpoint local() const { return socket_.local(); }
     /// Counters of the socket: of hosts that are not accepted, `unknown_peer`.

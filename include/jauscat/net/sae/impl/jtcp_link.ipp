@@ -64,7 +64,12 @@ JAUSCAT_DECL jtcp_link::jtcp_link(boost::asio::io_context& context, sae::transpo
     throw open_error{why};
 }
 
-JAUSCAT_DECL jtcp_link::~jtcp_link() { stop(); }
+JAUSCAT_DECL jtcp_link::~jtcp_link() {
+    try {
+        stop();
+    } catch (...) { // of the log; the sockets are closed in any case
+    }
+}
 
 JAUSCAT_DECL void jtcp_link::start(sae_handlers handlers) {
     driver_.start(std::move(handlers));

@@ -48,7 +48,7 @@ JAUSCAT_DECL sae::endpoint_key judp_link::key_of(const endpoint& from) noexcept 
     return {std::uint64_t{from.address().to_v4().to_uint()} << 16 | from.port()};
 }
 
-JAUSCAT_DECL judp_link::endpoint judp_link::endpoint_of(sae::endpoint_key key) noexcept {
+JAUSCAT_DECL judp_link::endpoint judp_link::endpoint_of(sae::endpoint_key key) {
     return {boost::asio::ip::address_v4{static_cast<std::uint32_t>(key.value >> 16)},
             static_cast<std::uint16_t>(key.value & 0xFFFF)};
 }
