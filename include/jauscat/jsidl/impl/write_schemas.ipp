@@ -225,7 +225,8 @@ class set_writer {
             return made;
         };
         const auto text = [](const std::string& name, const std::string& value) {
-            return "    static constexpr std::string_view " + name + " = " + text::quoted(value) + ";\n";
+            return "    static constexpr std::string_view " + name +
+                   (value.empty() ? "{}" : " = " + text::quoted(value)) + ";\n";
         };
         std::string made = "\nnamespace services {\n\n/// " + one.name +
                            ": what it is called, and its messages.\nstruct " + schema_plan::file_of(one) + " {\n";
@@ -664,7 +665,8 @@ inline std::string ranges_header(const units& used, const schema_options& option
         "// One line per range: the limits of a scaled number and its unit.\n// clang-format off\nnamespace " +
         options.name_space + " {\n\n";
     const auto unit = [](const std::string& name) {
-        return "static constexpr std::string_view unit = " + text::quoted(name == "one" ? "" : name) + "; };\n";
+        return "static constexpr std::string_view unit" + (name == "one" ? "{}" : " = " + text::quoted(name)) +
+               "; };\n";
     };
     std::size_t name_width = 0, min_width = 0, max_width = 0;
     for (const auto& [name, range] : used.ranges) {

@@ -56,12 +56,12 @@ struct newton_meter_minus_5000_to_5000                    { static constexpr dou
 struct newton_meter_minus_500_to_500                      { static constexpr double min = -500,                max = 500;                static constexpr std::string_view unit = "newton meter"; };
 struct newton_minus_5000_to_5000                          { static constexpr double min = -5000,               max = 5000;               static constexpr std::string_view unit = "newton"; };
 struct newton_minus_500_to_500                            { static constexpr double min = -500,                max = 500;                static constexpr std::string_view unit = "newton"; };
-struct one_0_1_to_128                                     { static constexpr double min = 0.1,                 max = 128;                static constexpr std::string_view unit = ""; };
-struct one_0_to_100                                       { static constexpr double min = 0,                   max = 100;                static constexpr std::string_view unit = ""; };
-struct one_0_to_200                                       { static constexpr double min = 0,                   max = 200;                static constexpr std::string_view unit = ""; };
-struct one_0_to_500                                       { static constexpr double min = 0,                   max = 500;                static constexpr std::string_view unit = ""; };
-struct one_minus_100_to_100                               { static constexpr double min = -100,                max = 100;                static constexpr std::string_view unit = ""; };
-struct one_minus_1_to_1                                   { static constexpr double min = -1,                  max = 1;                  static constexpr std::string_view unit = ""; };
+struct one_0_1_to_128                                     { static constexpr double min = 0.1,                 max = 128;                static constexpr std::string_view unit{}; };
+struct one_0_to_100                                       { static constexpr double min = 0,                   max = 100;                static constexpr std::string_view unit{}; };
+struct one_0_to_200                                       { static constexpr double min = 0,                   max = 200;                static constexpr std::string_view unit{}; };
+struct one_0_to_500                                       { static constexpr double min = 0,                   max = 500;                static constexpr std::string_view unit{}; };
+struct one_minus_100_to_100                               { static constexpr double min = -100,                max = 100;                static constexpr std::string_view unit{}; };
+struct one_minus_1_to_1                                   { static constexpr double min = -1,                  max = 1;                  static constexpr std::string_view unit{}; };
 struct percent_0_to_100                                   { static constexpr double min = 0,                   max = 100;                static constexpr std::string_view unit = "percent"; };
 struct percent_minus_100_to_100                           { static constexpr double min = -100,                max = 100;                static constexpr std::string_view unit = "percent"; };
 struct radian_0_to_3_14159                                { static constexpr double min = 0,                   max = 3.14159;            static constexpr std::string_view unit = "radian"; };

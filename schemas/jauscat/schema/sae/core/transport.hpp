@@ -22,8 +22,8 @@ struct transport {
     static constexpr std::string_view name = "Transport";
     static constexpr std::string_view uri = "urn:jaus:jss:core:Transport";
     static constexpr std::string_view version = "1.1";
-    static constexpr std::string_view parent_uri = "";
-    static constexpr std::string_view parent_version = "";
+    static constexpr std::string_view parent_uri{};
+    static constexpr std::string_view parent_version{};
     using inputs = jaus::message_list<>;
     using outputs = jaus::message_list<>;
     using messages = jaus::joined_lists<inputs, outputs>;

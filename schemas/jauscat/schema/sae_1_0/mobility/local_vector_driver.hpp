@@ -70,8 +70,8 @@ struct local_vector_driver {
     static constexpr std::string_view name = "LocalVectorDriver";
     static constexpr std::string_view uri = "urn:jaus:jss:mobility:LocalVectorDriver";
     static constexpr std::string_view version = "1.0";
-    static constexpr std::string_view parent_uri = "";
-    static constexpr std::string_view parent_version = "";
+    static constexpr std::string_view parent_uri{};
+    static constexpr std::string_view parent_version{};
     using inputs = jaus::message_list<set_local_vector>;
     using outputs = jaus::message_list<report_local_vector>;
     using messages = jaus::joined_lists<inputs, outputs>;
