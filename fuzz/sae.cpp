@@ -1,7 +1,13 @@
 // Messages with the constructs of JSIDL, from any bytes: an error, or a message that encodes and comes back; a raw
 // message, a view and diagnose agree.
-#include "support/sae_samples.hpp"
 #include "support/target.hpp"
+#include <jauscat/schema/sae/core/events.hpp>
+#include <jauscat/schema/sae/core/list_manager.hpp>
+#include <jauscat/schema/sae/environment_sensing/range_sensor.hpp>
+#include <jauscat/schema/sae/message_id.hpp>
+#include <jauscat/schema/sae/mobility/gps_fix.hpp>
+#include <jauscat/schema/sae/mobility/local_operating_zone.hpp>
+#include <jauscat/wire/wire.hpp>
 
 using namespace fuzz;
 namespace wire = jauscat::wire;
@@ -46,14 +52,15 @@ template <class T> void check_message(std::span<const std::byte> body) {
 } // namespace
 
 void fuzz::run(std::span<const std::byte> input) {
-    if (input.size() < 2) return;
-    // The id tells which one: seeds are the golden messages as they are.
-    const unsigned id = std::to_integer<unsigned>(input[0]) | std::to_integer<unsigned>(input[1]) << 8U;
+    // The ID tells which one: seeds are the golden messages as they are.
+    const auto id = jauscat::sae::message_id_of(input);
     const auto tried = [&]<class... Messages>() {
         static_cast<void>((... || (Messages::schema::message_id == id && (check_message<Messages>(input), true))));
     };
+    using namespace jauscat::sae;
     tried.template
-    operator()<sae::create_event, sae::query_events, sae::reject_event_request, sae::set_element,
-               sae::set_local_operating_zone, sae::report_sensor_geometric_properties, sae::report_gps_fix,
-               sae::report_range_sensor_data, sae::report_range_sensor_compressed_data>();
+    operator()<core::create_event, core::query_events, core::reject_event_request, core::set_element,
+               mobility::set_local_operating_zone, environment_sensing::report_sensor_geometric_properties,
+               mobility::report_gps_fix, environment_sensing::report_range_sensor_data,
+               environment_sensing::report_range_sensor_compressed_data>();
 }

@@ -80,6 +80,13 @@ class randomiser {
         field.assign(object,
                      chance(g_, odds_.illegal) ? ~std::uint64_t{} : integer() & (~std::uint64_t{} >> (64 - Width)));
     }
+    template <auto Member, std::size_t Width, class... Parts>
+    void bit(wire::bit_field_in_set<Member, Width, Parts...> field, auto& object) {
+        do bit(wire::bit_field<Member, Width>{}, object);
+        while (!wire::detail::in_its_set<decltype(field)>(wire::member_of<Member>(object)));
+    }
+    template <wire::label Name, class Codec, auto Value>
+    void item(wire::constant<Name, Codec, Value>, auto&, const auto&) {}
     template <auto Flag, class Item> void item(wire::gated_by<Flag, Item>, auto& object, const auto& here) {
         auto& member = wire::member_of<Item::key>(object);
         if (wire::look_up<Flag>(here) != chance(g_, odds_.illegal))
@@ -169,6 +176,11 @@ class randomiser {
         });
         if (chance(g_, odds_.illegal)) draw_tag<Cases...>(Selector{}, object, here);
     }
+    template <auto Member, class Tag> void value(wire::variant<Member, Tag>, auto& member, auto&, const auto& here) {
+        using alternatives = typename wire::variant<Member, Tag>::alternatives;
+        alternatives::with(below(g_, alternatives::count),
+                           [&]<std::size_t I, class>() { message(member.template emplace<I>(), here); });
+    }
     // A tag of a structure around this one stays what it is.
     template <class... Cases, auto First, auto... Rest>
     void draw_tag(wire::by<First, Rest...>, auto& object, const auto& here) {
@@ -190,16 +202,21 @@ class randomiser {
         } else {
             const auto bytes = make<std::byte>(size);
             fill(g_, bytes);
-            member = bytes;
+            member = std::remove_reference_t<decltype(member)>{bytes};
         }
     }
 
     /// Up to `most` elements. A count in this structure is told; one further out was drawn before and decides.
     template <class Count> std::size_t length(std::size_t most, auto& object, const auto& here) {
-        if constexpr (requires { Count::limit; })
+        if constexpr (requires { typename Count::value_set; })
+            return within(typename Count::value_set{}, most);
+        else if constexpr (requires { Count::limit; })
             return below(g_, std::min(most, Count::limit) + 1);
         else
             return counted_elsewhere(Count{}, most, object, here);
+    }
+    template <auto Least, auto Most> std::size_t within(wire::between<Least, Most>, std::size_t most) {
+        return std::min<std::size_t>(Least + below(g_, most + 1), Most);
     }
     template <std::size_t Less, auto First, auto... Rest>
     std::size_t counted_elsewhere(const wire::count_elsewhere<Less, First, Rest...>& count, std::size_t most,
@@ -217,7 +234,8 @@ class randomiser {
         } else if constexpr (std::floating_point<Value>) {
             value = static_cast<Value>(std::normal_distribution<double>{0, 1e6}(g_));
         } else if constexpr (std::integral<Value> || std::is_enum_v<Value>) {
-            value = static_cast<Value>(integer());
+            do value = static_cast<Value>(integer());
+            while (!wire::detail::holds_value<Codec>(value));
         } else if constexpr (requires { typename Value::bits_type; }) {
             value = Value::from_bits(static_cast<typename Value::bits_type>(integer()));
         } else {
