@@ -1,6 +1,7 @@
 // Sockets and configuration files, all of it: what stands above the I/O line.
 #pragma once
 
+#include <jauscat/net/bind_error.hpp>
 #include <jauscat/net/config/access_list.hpp>
 #include <jauscat/net/config/jaus_config.hpp>
 #include <jauscat/net/config/jaus_node_options.hpp>

@@ -1,11 +1,11 @@
 // Opens a UDP socket at a given port, with an explanation of failures.
 #pragma once
 
+#include <jauscat/net/bind_error.hpp>
 #include <jauscat/net/config/udp_options.hpp>
 #include <jauscat/net/detail/endpoint_text.hpp>
 #include <jauscat/net/open_error.hpp>
 
-#include <boost/asio/error.hpp>
 #include <boost/asio/ip/udp.hpp>
 
 #include <algorithm>
@@ -37,22 +37,7 @@ inline void bind_udp(boost::asio::ip::udp::socket& socket, const boost::asio::ip
         set_udp_options(socket, options);
         socket.bind(local, error);
     }
-    if (!error) return;
-
-    const auto port = std::to_string(local.port());
-    net::error why{.code = errc::not_opened, .reason = error};
-    why.message = "cannot receive at UDP " + text(local) + ": " + error.message();
-    if (error == boost::asio::error::address_in_use) {
-        why.code = errc::address_in_use;
-        why.message += "; find the program that holds the port with: ss -ulpn 'sport = :" + port + "'";
-    } else if (error == boost::system::errc::address_not_available) {
-        why.code = errc::unknown_address;
-        why.message += "; this machine does not have that address: see ip -brief address";
-    } else if (error == boost::asio::error::access_denied) {
-        why.code = errc::not_permitted;
-        why.message += "; ports below 1024 are for privileged programs: take a higher one";
-    }
-    throw open_error{why};
+    if (error) throw open_error{bind_error(error, "cannot receive at UDP " + text(local), local.port(), "-ulpn")};
 }
 
 } // namespace jauscat::net::detail

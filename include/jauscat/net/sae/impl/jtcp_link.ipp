@@ -1,5 +1,6 @@
 // The functions of jtcp_link.
 #pragma once
+#include <jauscat/net/bind_error.hpp>
 #include <jauscat/net/sae/detail/bounded_writer.hpp>
 #include <jauscat/net/sae/jtcp_link.hpp>
 #include <jauscat/sae/transport/jtcp.hpp>
@@ -46,22 +47,10 @@ JAUSCAT_DECL jtcp_link::jtcp_link(boost::asio::io_context& context, sae::transpo
     if (!error) acceptor_.set_option(boost::asio::socket_base::reuse_address{true}, error);
     if (!error) acceptor_.bind(*options.listen, error);
     if (!error) acceptor_.listen(boost::asio::socket_base::max_listen_connections, error);
-    if (!error) return;
-    const auto port = std::to_string(options.listen->port());
-    net::error why{.code = errc::not_opened,
-                   .reason = error,
-                   .message = "cannot accept connections at TCP port " + port + ": " + error.message()};
-    if (error == boost::asio::error::address_in_use) {
-        why.code = errc::address_in_use;
-        why.message += "; find the program that holds the port with: ss -tlpn 'sport = :" + port + "'";
-    } else if (error == boost::system::errc::address_not_available) {
-        why.code = errc::unknown_address;
-        why.message += "; this machine does not have that address: see ip -brief address";
-    } else if (error == boost::asio::error::access_denied) {
-        why.code = errc::not_permitted;
-        why.message += "; ports below 1024 are for privileged programs: take a higher one";
-    }
-    throw open_error{why};
+    if (error)
+        throw open_error{bind_error(error,
+                                    "cannot accept connections at TCP port " + std::to_string(options.listen->port()),
+                                    options.listen->port(), "-tlpn")};
 }
 
 JAUSCAT_DECL jtcp_link::~jtcp_link() {
