@@ -522,16 +522,16 @@ void model::obeys(actuator_account& a, const sent_message* sent, command_number 
         breaks(contract::s5, a, sent->number, "motion commands come from the controller",
                "one of " + world_.names()[senders_[sent->sender].program->number()] + " was obeyed under control of " +
                    world_.names()[senders_[*a.controller].program->number()]);
-    // What the slave's mailbox has got is executed; what waits behind it is dropped.
+    // What is on its way to the slave's mailbox is executed; what waits behind it is dropped.
     const auto* const arm = arm_of(a);
     if (arm == nullptr || !a.controller || (*a.wire)[a.axes.front().slave].cyclic) return;
     constexpr time lately = std::chrono::milliseconds{500};
     if (world_.now() - a.controlled_since < lately) world_.compares(comparison::loser_dropped);
     const auto& slave = (*a.wire)[a.axes.front().slave];
-    if (*a.controller != sent->sender && slave.mailbox_written_at > a.controlled_since)
+    if (*a.controller != sent->sender && slave.mailbox_sent_at > a.controlled_since)
         breaks(contract::s5, a, sent->number, "queued commands of another are dropped when a component gets control",
                "one of " + world_.names()[senders_[sent->sender].program->number()] + " was sent to the slave " +
-                   in_ms(slave.mailbox_written_at - a.controlled_since) + " after " +
+                   in_ms(slave.mailbox_sent_at - a.controlled_since) + " after " +
                    world_.names()[senders_[*a.controller].program->number()] + " had got control");
 }
 

@@ -67,7 +67,8 @@ struct watchdog_registers {
 
 /// A slave and where it stands.
 struct ring_place {
-    std::uint8_t number{}; ///< of the actor
+    using message_start = std::array<std::byte, 16>; ///< with the mailbox header and its counter
+    std::uint8_t number{};                           ///< of the actor
     std::uint16_t station{};
     bool cyclic{};
     std::unique_ptr<device> unit{};
@@ -80,11 +81,13 @@ struct ring_place {
     bool reports_error{};            ///< SAFE-OP with an error, in place of its state
     ethercat::al_state error_from{}; ///< its state when it began to
     time slow{};                     ///< it works off its mailbox once in this time; 0: with each frame
-    time mailbox_written_at{};       ///< when it has last got a message
-    time left_at{};                  ///< when it has last left a state in which it works
-    time shared_at{};                ///< when another slave has got its station address
-    time watchdog{};                 ///< when it went to OP; 0: it has none
-    std::uint8_t recount{};          ///< added to the mailbox counter of its new messages
+    time mailbox_sent_at{};          ///< when the message that it got last was sent for the first time
+    message_start lost_message{};    ///< the last one that did not arrive
+    time message_lost_at{};
+    time left_at{};         ///< when it has last left a state in which it works
+    time shared_at{};       ///< when another slave has got its station address
+    time watchdog{};        ///< when it went to OP; 0: it has none
+    std::uint8_t recount{}; ///< added to the mailbox counter of its new messages
     std::array<std::byte, 16> last_reply{};
     std::uint8_t last_reply_recount{}; ///< a message that is asked for again is the same
     time unfrozen_at{}, restarted_at{}, passed_at{};
@@ -136,6 +139,7 @@ class ring final : public actor {
     void tell(std::size_t place, ring_deed what, std::uint32_t value = 0);
     /// Until the place in the ring where the frame is damaged.
     void pass(std::span<std::byte> frame, std::size_t end);
+    void miss(ring_place& at, bytes frame);
     void alter(ring_place& at, std::span<std::byte> frame);
     void look(ring_place& at);
     [[nodiscard]] std::size_t position_of(std::size_t i) const noexcept;
