@@ -902,6 +902,12 @@ void model::check_return(const actuator_account& a) {
                text(a.state) + " for " + in_ms(world_.now() - since) + " in which nothing has happened to it");
 }
 
+// A program that was away does not know yet what has happened to its slaves, and works off what it has received.
+time model::sent_unaware_since(const actuator_account& a) {
+    const auto& last = a.efforts[(a.effort_count - 1) % a.efforts.size()];
+    return a.effort_count != 0 && last.first >= a.program->jumped_at() ? a.program->jumped_at() : time{};
+}
+
 // Whatever is lost, an axis that moves must come to rest: told by the bridge or by itself.
 void model::check_axis(const actuator_account& a, const axis_account& axis) {
     const auto& slave = (*a.wire)[axis.slave];
@@ -912,7 +918,7 @@ void model::check_axis(const actuator_account& a, const axis_account& axis) {
                    a.at_rest_in + between_checks);
     // Outputs stop when the loss of the address is noticed, the slave when it misses them.
     if (const auto trouble = a.wire->trouble_of(axis.slave))
-        check_stop(a, axis, trouble->what, std::max(trouble->since, slave.unfrozen_at),
+        check_stop(a, axis, trouble->what, std::max({trouble->since, slave.unfrozen_at, sent_unaware_since(a)}),
                    a.at_rest_in + a.two_cycles + between_checks);
     // What the bridge must tell it: as long as nothing comes in between.
     const time undisturbed = std::max({slave.disturbed_at, a.program->jumped_at(), slave.unfrozen_at});

@@ -250,6 +250,7 @@ class model {
     void check_kept(actuator_account& a);
     void check_watchdog(const actuator_account& a);
     void check_return(const actuator_account& a);
+    [[nodiscard]] static time sent_unaware_since(const actuator_account& a);
     void check_axis(const actuator_account& a, const axis_account& axis);
     void check_stop(const actuator_account& a, const axis_account& axis, const char* why, time since, time limit);
     void check_velocities(const actuator_account& a, bytes body);
