@@ -242,10 +242,10 @@ void model::arrives(std::uint8_t which, std::uint32_t message, const jaus::heade
                  .message = message});
 }
 
-// Keeps the last 64, and each earlier one without an acknowledgement: a component acknowledges a stop order when its
+// Keeps the last 512, and each earlier one without an acknowledgement: a component acknowledges a stop order when its
 // slave has confirmed it, however many messages arrive before that.
 void model::note_arrival(actuator_account& a, std::uint32_t message) {
-    constexpr std::ptrdiff_t last = 64;
+    constexpr std::ptrdiff_t last = 512;
     a.arrived.push_back(message);
     if (std::ssize(a.arrived) <= last) return;
     const auto older = a.arrived.end() - last - 1;
@@ -522,16 +522,18 @@ void model::obeys(actuator_account& a, const sent_message* sent, command_number 
         breaks(contract::s5, a, sent->number, "motion commands come from the controller",
                "one of " + world_.names()[senders_[sent->sender].program->number()] + " was obeyed under control of " +
                    world_.names()[senders_[*a.controller].program->number()]);
-    // What is on its way to the slave's mailbox is executed; what waits behind it is dropped.
+    // What the slave's mailbox has got is executed; what waits behind it is dropped. A frame that is sent again, and
+    // what arrives together with the change of control, may be on its way already.
     const auto* const arm = arm_of(a);
     if (arm == nullptr || !a.controller || (*a.wire)[a.axes.front().slave].cyclic) return;
     constexpr time lately = std::chrono::milliseconds{500};
+    if (a.wire->frames_disturbed_at() >= sent->arrived_at || sent->arrived_at == a.controlled_since) return;
     if (world_.now() - a.controlled_since < lately) world_.compares(comparison::loser_dropped);
     const auto& slave = (*a.wire)[a.axes.front().slave];
-    if (*a.controller != sent->sender && slave.mailbox_sent_at > a.controlled_since)
+    if (*a.controller != sent->sender && slave.mailbox_written_at > a.controlled_since)
         breaks(contract::s5, a, sent->number, "queued commands of another are dropped when a component gets control",
                "one of " + world_.names()[senders_[sent->sender].program->number()] + " was sent to the slave " +
-                   in_ms(slave.mailbox_sent_at - a.controlled_since) + " after " +
+                   in_ms(slave.mailbox_written_at - a.controlled_since) + " after " +
                    world_.names()[senders_[*a.controller].program->number()] + " had got control");
 }
 
@@ -841,6 +843,8 @@ void model::check_cause(const actuator_account& a, const char* of) {
     if (a.wire == nullptr) return;
     world_.compares(comparison::kept_in_use);
     time last = a.program->running() ? last_disturbance(a) : world_.now();
+    // The process data are exchanged anew without a slave that leaves OP, a cycle later for all others.
+    for (std::size_t i = 0; i != a.wire->size(); ++i) last = std::max(last, (*a.wire)[i].left_at);
     const bool is_hurt = any_slave(a, [&](const ring_place& each) {
         last = std::max(last, each.shared_at);
         return each.frozen || each.away || each.state_is_unknown || each.has_drive_fault || each.reports_error ||
@@ -913,6 +917,7 @@ void model::check_axis(const actuator_account& a, const axis_account& axis) {
     const auto& slave = (*a.wire)[axis.slave];
     if (slave.frozen) return; // nothing that is outside of it can stop it
     constexpr auto frames_lost = std::chrono::milliseconds{60}, between_checks = std::chrono::milliseconds{10};
+    constexpr auto until_sent_again = std::chrono::milliseconds{30}; // each frame that is lost
     if (const auto silent = a.program->silent_since())
         check_stop(a, axis, "its program does nothing any more", std::max(*silent, slave.unfrozen_at),
                    a.at_rest_in + between_checks);
@@ -923,9 +928,11 @@ void model::check_axis(const actuator_account& a, const axis_account& axis) {
     // What the bridge must tell it: as long as nothing comes in between.
     const time undisturbed = std::max({slave.disturbed_at, a.program->jumped_at(), slave.unfrozen_at});
     if (!a.program->running()) return;
-    if (a.state != primary_status_code::ready)
-        check_stop(a, axis, "its component has left Ready", std::max(a.not_ready_since, undisturbed),
-                   a.at_rest_in + frames_lost);
+    if (a.state != primary_status_code::ready) {
+        const time since = std::max(a.not_ready_since, undisturbed);
+        check_stop(a, axis, "its component has left Ready", since,
+                   a.at_rest_in + frames_lost + a.wire->frames_disturbed_since(since) * until_sent_again);
+    }
     if (const auto since = a.controller ? unreachable_since(*a.controller, a) : a.orphaned_since)
         check_stop(a, axis, "its controller is lost", std::max(*since + network::longest_delay, undisturbed),
                    a.controller_limit + frames_lost);

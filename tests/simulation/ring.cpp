@@ -22,15 +22,6 @@ constexpr std::array ring_faults{fault::cable_out,    fault::slave_frozen,     f
 constexpr std::array rough_faults{fault::slaves_swapped, fault::station_doubled};
 constexpr std::array drive_faults{fault::drive_fault, fault::drive_unpowered, fault::drive_deaf};
 
-bool writes_mailbox(const ethercat::datagram_header& one) {
-    return one.cmd == ethercat::command::fpwr && one.ado == ethercat::slave_description{}.mailbox_out_offset &&
-           one.length >= std::tuple_size_v<ring_place::message_start>;
-}
-
-bool starts_with(bytes message, const ring_place::message_start& start) {
-    return std::ranges::equal(message.first(start.size()), start);
-}
-
 } // namespace
 
 void ring::add(std::string name, std::uint16_t station, bool cyclic) {
@@ -81,9 +72,20 @@ void ring::try_later(fault kind) {
 void ring::tell(std::size_t place, ring_deed what, std::uint32_t value) {
     constexpr std::array of_frames{ring_deed::frame_lost, ring_deed::frame_delayed, ring_deed::frame_doubled,
                                    ring_deed::frame_damaged};
-    if (std::ranges::find(of_frames, what) != of_frames.end()) frames_disturbed_at_ = world_.now();
+    if (std::ranges::find(of_frames, what) != of_frames.end())
+        frames_disturbed_at_[disturbed_frames_++ % frames_disturbed_at_.size()] = world_.now();
     world_.tell(
         {.what = deed::ring, .who = places_[place].number, .number = static_cast<std::uint16_t>(what), .value = value});
+}
+
+time ring::frames_disturbed_at() const noexcept {
+    return disturbed_frames_ == 0 ? time{}
+                                  : frames_disturbed_at_[(disturbed_frames_ - 1) % frames_disturbed_at_.size()];
+}
+
+std::ptrdiff_t ring::frames_disturbed_since(time then) const noexcept {
+    const auto known = std::span{frames_disturbed_at_}.first(std::min(disturbed_frames_, frames_disturbed_at_.size()));
+    return std::ranges::count_if(known, [&](time each) { return each >= then; });
 }
 
 // ---------------------------------------------------------------------------------------------------- frames
@@ -93,7 +95,7 @@ void ring::send(bytes frame) {
     const bool before = is_lost && world_.faults.random(fault::frame_lost).below(2) == 0;
     if (is_lost) tell(0, ring_deed::frame_lost, before ? 0 : 1);
     if (before)
-        for (auto& each : places_) miss(each, frame);
+        for (auto& each : places_) each.missed_at = world_.now();
     if (before || frame.size() > ethercat::max_frame_size) return;
     if (free_.empty()) {
         free_.push_back(static_cast<std::uint32_t>(flights_.size()));
@@ -139,30 +141,18 @@ void ring::pass(std::span<std::byte> frame, std::size_t end) {
         if (at.arm != nullptr && at.arm->take_aborted()) at.disturbed_at = world_.now();
         look(at);
     }
-    for (std::size_t k = count; k != order_.size(); ++k) miss(places_[order_[k]], frame);
+    for (std::size_t k = count; k != order_.size(); ++k) places_[order_[k]].missed_at = world_.now();
     if (!has_clocks_ || count != static_cast<std::size_t>(first_unreachable - order_.begin())) return;
     for (std::size_t k = count; k-- > 1;) // back past the slaves before it
         places_[order_[k - 1]].unit->slave().frame_returned(
             1, jauscat::time_point{world_.now() + static_cast<std::int64_t>(2 * count - k) * hop_time});
 }
 
-// A mailbox message that does not arrive is sent again, unchanged: what it commands is on its way since the first time.
-void ring::miss(ring_place& at, bytes frame) {
-    at.missed_at = world_.now();
-    ethercat::frame_view view;
-    if (!view.parse(frame)) return;
-    for (const auto one : view) {
-        if (one.header.adp != at.unit->slave().station_address() || !writes_mailbox(one.header)) continue;
-        if (starts_with(one.data, at.lost_message)) continue;
-        std::ranges::copy(one.data.first(at.lost_message.size()), at.lost_message.begin());
-        at.message_lost_at = world_.now();
-    }
-}
-
 // What other slaves answer in its place: mailbox counters that are its own, an AL state that nobody knows.
 void ring::alter(ring_place& at, std::span<std::byte> frame) {
     ethercat::mutable_frame_view view;
     if (!view.parse(frame)) return;
+    constexpr std::uint16_t mailbox_out = ethercat::slave_description{}.mailbox_out_offset;
     constexpr std::uint16_t mailbox_in = ethercat::slave_description{}.mailbox_in_offset;
     for (auto one : view) {
         if (at.reports_error && one.header.cmd == ethercat::command::brd &&
@@ -170,8 +160,8 @@ void ring::alter(ring_place& at, std::span<std::byte> frame) {
             one.data[0] |= safe_op_with_error;
         if (one.header.adp != at.unit->slave().station_address() || one.working_counter == 0) continue;
         if (at.keeps_watchdog && one.header.cmd == ethercat::command::fpwr) keep_watchdog(at, one);
-        if (writes_mailbox(one.header))
-            at.mailbox_sent_at = starts_with(one.data, at.lost_message) ? at.message_lost_at : world_.now();
+        if (one.header.cmd == ethercat::command::fpwr && one.header.ado == mailbox_out)
+            at.mailbox_written_at = world_.now();
         if (one.header.cmd != ethercat::command::fprd) continue;
         if (one.header.ado == mailbox_in && one.data.size() >= at.last_reply.size()) {
             const auto reply = one.data.first(at.last_reply.size());

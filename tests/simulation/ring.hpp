@@ -67,8 +67,7 @@ struct watchdog_registers {
 
 /// A slave and where it stands.
 struct ring_place {
-    using message_start = std::array<std::byte, 16>; ///< with the mailbox header and its counter
-    std::uint8_t number{};                           ///< of the actor
+    std::uint8_t number{}; ///< of the actor
     std::uint16_t station{};
     bool cyclic{};
     std::unique_ptr<device> unit{};
@@ -81,13 +80,11 @@ struct ring_place {
     bool reports_error{};            ///< SAFE-OP with an error, in place of its state
     ethercat::al_state error_from{}; ///< its state when it began to
     time slow{};                     ///< it works off its mailbox once in this time; 0: with each frame
-    time mailbox_sent_at{};          ///< when the message that it got last was sent for the first time
-    message_start lost_message{};    ///< the last one that did not arrive
-    time message_lost_at{};
-    time left_at{};         ///< when it has last left a state in which it works
-    time shared_at{};       ///< when another slave has got its station address
-    time watchdog{};        ///< when it went to OP; 0: it has none
-    std::uint8_t recount{}; ///< added to the mailbox counter of its new messages
+    time mailbox_written_at{};       ///< when it has last got a message
+    time left_at{};                  ///< when it has last left a state in which it works
+    time shared_at{};                ///< when another slave has got its station address
+    time watchdog{};                 ///< when it went to OP; 0: it has none
+    std::uint8_t recount{};          ///< added to the mailbox counter of its new messages
     std::array<std::byte, 16> last_reply{};
     std::uint8_t last_reply_recount{}; ///< a message that is asked for again is the same
     time unfrozen_at{}, restarted_at{}, passed_at{};
@@ -120,8 +117,9 @@ class ring final : public actor {
     [[nodiscard]] const ring_place& operator[](std::size_t i) const noexcept { return places_[i]; }
     /// Whatever is wrong with a slave for longest; nothing where it can be commanded, and stops by itself if it is not.
     [[nodiscard]] std::optional<trouble> trouble_of(std::size_t i) const;
-    /// When a frame was last lost, late, damaged or doubled.
-    [[nodiscard]] time frames_disturbed_at() const noexcept { return frames_disturbed_at_; }
+    /// Frames lost, delayed, doubled or damaged: when the last one was, and how many of the last 64.
+    [[nodiscard]] time frames_disturbed_at() const noexcept;
+    [[nodiscard]] std::ptrdiff_t frames_disturbed_since(time then) const noexcept;
     /// Whether another slave is where it was at the start.
     [[nodiscard]] bool is_elsewhere(std::size_t i) const noexcept { return order_[i] != i; }
 
@@ -139,7 +137,6 @@ class ring final : public actor {
     void tell(std::size_t place, ring_deed what, std::uint32_t value = 0);
     /// Until the place in the ring where the frame is damaged.
     void pass(std::span<std::byte> frame, std::size_t end);
-    void miss(ring_place& at, bytes frame);
     void alter(ring_place& at, std::span<std::byte> frame);
     void look(ring_place& at);
     [[nodiscard]] std::size_t position_of(std::size_t i) const noexcept;
@@ -161,7 +158,8 @@ class ring final : public actor {
     std::function<void(std::size_t, std::size_t, command_number)> moved_;
     bool is_rough_;
     bool has_clocks_{};
-    time frames_disturbed_at_{};
+    std::array<time, 64> frames_disturbed_at_{};
+    std::size_t disturbed_frames_{};
     frame_user* user_{};
     std::vector<ring_place> places_{};
     std::vector<std::size_t> order_{}; ///< which slave is at each place of the cable
