@@ -31,8 +31,10 @@
 #include <jauscat/net/now.hpp>
 #include <jauscat/net/open_error.hpp>
 #include <jauscat/net/rate_limit.hpp>
+#include <jauscat/net/sae/growing_pause.hpp>
 #include <jauscat/net/sae/jserial_link.hpp>
 #include <jauscat/net/sae/jtcp_link.hpp>
 #include <jauscat/net/sae/judp_link.hpp>
+#include <jauscat/net/sae/shared_judp.hpp>
 #include <jauscat/net/sae/transport_driver.hpp>
 #include <jauscat/version.hpp>

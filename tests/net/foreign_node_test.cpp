@@ -365,7 +365,15 @@ TEST_CASE("other forms are named in the log, with what is to be configured") {
     sae[2] = std::byte{18};
     other.send(r.port, sae);
     REQUIRE(support::until(context, [&] { return !r.log.empty(); }));
-    CHECK(r.log.back().find("it is SAE JAUS (AS5669A, version 2), which is not supported") != std::string::npos);
+    CHECK(r.log.back().find("it is SAE JAUS (AS5669A, version 2), which this node does not take: set the"
+                            " option on_sae_datagram") != std::string::npos);
+    CHECK(r.node.counts().other_generation == 1);
+    // Each form of a host is named once.
+    other.send(r.port, sae);
+    other.send(r.port, judp1({query_status}));
+    REQUIRE(support::until(context, [&] { return r.node.counts().other_framing == 2; }));
+    CHECK(r.node.counts().other_generation == 2);
+    CHECK(r.log.size() == 1);
 }
 
 TEST_CASE("a stranger of AS5669-2007 is answered in its form by an open node") {

@@ -208,7 +208,7 @@ TEST_CASE("a filter is called first, and its refusals are counted without a repo
     });
     udp::socket peer{context, any_port};
     for (const std::string_view message :
-         {"", "JAUS01.0", "JAUS01.04", "1", "2", "2", "3", "4", "4", "4", "5", "0 taken"})
+         {"", "JAUS01.0", "JAUS01.04", "1", "2", "2", "3", "4", "4", "4", "5", "6", "6", "0 taken"})
         peer.send_to(boost::asio::buffer(message), receiver.transport.local());
     REQUIRE(support::until(context, [&] { return !receiver.messages.empty(); }));
     const auto& counts = receiver.transport.counts();
@@ -219,6 +219,7 @@ TEST_CASE("a filter is called first, and its refusals are counted without a repo
     CHECK(counts.wrong_sender == 1);
     CHECK(counts.rate_limited == 4);
     CHECK(counts.other_framing == 1);
+    CHECK(counts.other_generation == 2);
     CHECK(counts.errors == 0);
     CHECK(receiver.errors.empty());
 }

@@ -9,6 +9,8 @@
 #include <jauscat/net/config/udp_options.hpp>
 #include <jauscat/net/rate_limit.hpp>
 
+#include <boost/asio/ip/udp.hpp>
+
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -72,6 +74,14 @@ struct jaus_node_options {
         on_message{};
     /// Called when a component has appeared, or timed out, at the node manager.
     std::function<void(const jaus::address& who)> appeared{}, disappeared{};
+    /// Called with each datagram of SAE JAUS (AS5669A, version 2) at the node's port or at `sae_group`. In a closed
+    /// node its host must be that of a system of the configuration; the datagram counts in the rate of that system.
+    /// Empty: such datagrams are dropped and counted, and the log names each host once. See shared_judp.
+    std::function<void(std::span<const std::byte> datagram, const boost::asio::ip::udp::endpoint& from)>
+        on_sae_datagram{};
+    /// The group of SAE JAUS, which the node joins for on_sae_datagram. Datagrams to groups are sent with interface,
+    /// TTL and loop of the system's `<multicast>`, where it has one.
+    std::optional<multicast_options> sae_group{};
     /// Called with the outcome of a large data set that requested an acknowledgement, and with the header that `send`
     /// got. Acknowledged: the receiving
     /// component has received and accepted all of it. Refused: it has not. Timed out: an answer is missing, and it may

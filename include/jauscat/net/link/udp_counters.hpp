@@ -10,7 +10,7 @@
 
 namespace jauscat::net {
 
-/// Counts since the socket was opened. Every datagram that reached the socket is in one of the first eight, except
+/// Counts since the socket was opened. Every datagram that reached the socket is in one of the first nine, except
 /// those without a message, which are in `errors`.
 struct udp_counters {
     std::uint64_t received{};  ///< messages passed to the handler
@@ -18,10 +18,11 @@ struct udp_counters {
                                ///< the next received datagram
     std::uint64_t oversize{};  ///< datagrams larger than the largest over IPv4
     std::uint64_t malformed{}; ///< refused by the filter: no valid JAUS header
-    std::uint64_t unknown_peer{};  ///< refused by the filter: no system has this JAUS source
-    std::uint64_t other_framing{}; ///< refused by the filter: of AS5669-2007, which the system is not configured for
-    std::uint64_t wrong_sender{};  ///< refused by the filter: the JAUS source belongs to another address
-    std::uint64_t rate_limited{};  ///< refused by the filter: above the rate limit of the peer
+    std::uint64_t unknown_peer{};     ///< refused by the filter: no system has this JAUS source
+    std::uint64_t other_framing{};    ///< refused by the filter: of AS5669-2007, which the system is not configured for
+    std::uint64_t other_generation{}; ///< refused by the filter: SAE JAUS, which the node does not take
+    std::uint64_t wrong_sender{};     ///< refused by the filter: the JAUS source belongs to another address
+    std::uint64_t rate_limited{};     ///< refused by the filter: above the rate limit of the peer
 
     std::uint64_t sent{};        ///< messages that the network accepted
     std::uint64_t would_block{}; ///< messages refused because a buffer was full
@@ -35,6 +36,7 @@ struct udp_counters {
         case verdict::malformed: ++malformed; break;
         case verdict::unknown_peer: ++unknown_peer; break;
         case verdict::other_framing: ++other_framing; break;
+        case verdict::other_generation: ++other_generation; break;
         case verdict::wrong_sender: ++wrong_sender; break;
         case verdict::rate_limited: ++rate_limited; break;
         }
@@ -53,6 +55,7 @@ inline constexpr std::array udp_counter_list{named_counter{"received", &udp_coun
                                              named_counter{"malformed", &udp_counters::malformed},
                                              named_counter{"unknown peer", &udp_counters::unknown_peer},
                                              named_counter{"other framing", &udp_counters::other_framing},
+                                             named_counter{"other generation", &udp_counters::other_generation},
                                              named_counter{"wrong sender", &udp_counters::wrong_sender},
                                              named_counter{"rate-limited", &udp_counters::rate_limited},
                                              named_counter{"sent", &udp_counters::sent},

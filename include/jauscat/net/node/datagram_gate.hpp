@@ -7,6 +7,7 @@
 #include <jauscat/net/rate_limit.hpp>
 
 #include <cstddef>
+#include <map>
 #include <random>
 #include <span>
 #include <vector>
@@ -32,8 +33,12 @@ class datagram_gate {
     /// `seed`: a random number; see rate_limit.
     datagram_gate(const jaus_config& config, access how, std::uint64_t seed)
         : list_{config, how}, strangers_{system_limits{}.messages, seed} {
-        for (const auto& system : config.systems)
+        for (const auto& system : config.systems) {
+            const auto place = peers_.size();
             peers_.push_back({system.limits.messages, {}, system.framing == jaus::framing::judp1});
+            hosts_.emplace(detail::unmapped(system.ip), place);
+            for (const auto& ip : system.more_ips) hosts_.emplace(detail::unmapped(ip), place);
+        }
     }
 
     /// `message` is a datagram's content without the framing; it may be anything. A system of the configuration may
@@ -48,6 +53,16 @@ class datagram_gate {
             return verdict::other_framing;
         const bool within = found.peer ? peers_[*found.peer].bucket.take(peers_[*found.peer].limit, now)
                                        : strangers_.take(key_of(from.address()), now);
+        return within ? verdict::accepted : verdict::rate_limited;
+    }
+
+    /// Decides on a datagram of SAE JAUS by its host: JAUS IDs of the configuration are those of the RA. It counts in
+    /// the rate of the first system that has the host.
+    [[nodiscard]] verdict check_sae(const endpoint& from, time_point now) noexcept {
+        const auto found = hosts_.find(detail::unmapped(from.address()));
+        if (found == hosts_.end() && !list_.is_open()) return verdict::unknown_peer;
+        const bool within = found != hosts_.end() ? peers_[found->second].bucket.take(peers_[found->second].limit, now)
+                                                  : strangers_.take(key_of(from.address()), now);
         return within ? verdict::accepted : verdict::rate_limited;
     }
 
@@ -68,6 +83,7 @@ class datagram_gate {
 
     access_list list_;
     std::vector<peer> peers_{};
+    std::map<boost::asio::ip::address, std::size_t> hosts_{}; ///< of the systems, and their places in peers_
     rate_limit<1024> strangers_;
 };
 

@@ -78,6 +78,9 @@ class jaus_node {
         jaus::refuse_uncoded_type<T>();
         return {};
     }
+    /// Sends a datagram of another form, such as SAE JAUS, from the node's port. Errors: not_running, and those of
+    /// udp_transport::send.
+    JAUSCAT_DECL result<void, error> send_datagram(bytes datagram, const endpoint& to);
     /// Sink for messages that components send on behalf of the application. Whole messages of at most 4096 bytes;
     /// unroutable ones are logged.
     [[nodiscard]] jaus::message_sink out() noexcept { return out_; }
@@ -94,7 +97,7 @@ class jaus_node {
     /// The components alive, as the node manager has them; nullptr without a node manager or before the first start.
     [[nodiscard]] const jaus::liveness_table* present() const noexcept { return machine_.present(); }
     [[nodiscard]] const jaus_config& config() const noexcept { return machine_.config(); }
-    /// Sum of both sockets, since the last start.
+    /// Sum of all its sockets, since the last start.
     [[nodiscard]] JAUSCAT_DECL udp_counters counts() const noexcept;
 
   private:

@@ -132,6 +132,7 @@ class node_machine {
     struct parts; ///< gate, router, queues, node manager
 
     JAUSCAT_DECL void add(detail::attached_component component, detail::offered_messages messages);
+    [[nodiscard]] verdict check_sae(const endpoint& from, time_point now);
     [[nodiscard]] bool has_manager() const noexcept;
     void make_manager(const std::vector<jaus::address>& components);
     void wake_after_sending(time_point now) noexcept;

@@ -4,16 +4,19 @@
 #include <jauscat/base/compilation.hpp>
 #include <jauscat/net/open_error.hpp>
 #include <jauscat/net/rate_limit.hpp>
+#include <jauscat/net/sae/growing_pause.hpp>
 #include <jauscat/net/sae/transport_driver.hpp>
 #include <jauscat/sae/transport/judp.hpp>
 
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace jauscat::net {
@@ -30,12 +33,21 @@ struct jtcp_options {
     std::vector<boost::asio::ip::address> accepted{};
     /// Messages of one connection.
     rate limit{.per_second = 50'000, .burst = 5'000};
+    /// A connection that was silent for so long is probed, and ends if the peer's host does not answer; rounded down to
+    /// seconds, at least 1 s. 0: no probes.
+    duration keep_alive{std::chrono::seconds{10}};
+    /// A connection from which no byte comes for so long is closed. 0: no limit.
+    duration idle_limit{};
+    /// Pauses before a connection of `connect` is made again.
+    pause_limits reconnect{};
 };
 
 /// Counts since construction.
 struct jtcp_counters {
     std::uint64_t accepted{};     ///< connections
     std::uint64_t connected{};    ///< connections that were made
+    std::uint64_t failed{};       ///< attempts to make one
+    std::uint64_t idle{};         ///< connections closed because of the idle limit
     std::uint64_t unknown_peer{}; ///< connections of hosts that are not accepted
     std::uint64_t no_capacity{};  ///< connections above the limit
     std::uint64_t wrong{};        ///< connections closed because of a wrong version or size
@@ -58,7 +70,9 @@ class jtcp_link {
 
     /// Accepts connections while the io_context runs.
     JAUSCAT_DECL void start(sae_handlers handlers);
-    /// Makes a connection; call after start. If that fails, the error handler gets a line.
+    /// Makes a connection and, where that fails or the connection ends, makes it again after a pause, until stop. The
+    /// pauses grow until a message comes from the peer. Call after start. The error handler gets a line for the first
+    /// failure, for another reason of failure, for the end of a connection, and for its return.
     JAUSCAT_DECL void connect(const endpoint& to);
     /// Closes all connections. No handler is called afterwards.
     JAUSCAT_DECL void stop();
@@ -77,15 +91,21 @@ class jtcp_link {
 
   private:
     struct connection;
+    struct target;
 
     JAUSCAT_DECL void accept();
     JAUSCAT_DECL void accepted(boost::asio::ip::tcp::socket socket);
-    JAUSCAT_DECL void open(boost::asio::ip::tcp::socket socket);
+    JAUSCAT_DECL void open(boost::asio::ip::tcp::socket socket, const endpoint& peer,
+                           const std::shared_ptr<target>& wanted);
+    JAUSCAT_DECL void try_to_connect(const std::shared_ptr<target>& to);
+    JAUSCAT_DECL void not_connected(const std::shared_ptr<target>& to, const std::string& why);
+    JAUSCAT_DECL void try_again_later(const std::shared_ptr<target>& to);
+    JAUSCAT_DECL void watch_idle(const std::shared_ptr<connection>& to);
     JAUSCAT_DECL void receive(const std::shared_ptr<connection>& from);
     JAUSCAT_DECL void received(connection& from, std::span<const std::byte> bytes);
     JAUSCAT_DECL void put(const sae::outgoing_datagram& datagram);
     JAUSCAT_DECL void write(const std::shared_ptr<connection>& to, std::span<const std::byte> message);
-    JAUSCAT_DECL void close(std::uint64_t key);
+    JAUSCAT_DECL void close(std::uint64_t key, const std::string& why);
 
     boost::asio::io_context& context_;
     jtcp_options options_;

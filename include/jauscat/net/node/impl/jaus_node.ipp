@@ -37,7 +37,9 @@ JAUSCAT_DECL jaus_node::~jaus_node() {
 JAUSCAT_DECL void jaus_node::start() {
     machine_.start(now());
     try {
-        parts_->socket.emplace(context_, config(), machine_.options().socket);
+        const auto& options = machine_.options();
+        parts_->socket.emplace(context_, config(), options.socket,
+                               options.on_sae_datagram ? options.sae_group : std::nullopt);
     } catch (...) {
         machine_.stop();
         throw;
@@ -64,6 +66,10 @@ JAUSCAT_DECL result<void, error> jaus_node::send(const jaus::header& head, bytes
     auto what = machine_.send(head, body, now());
     arm();
     return what;
+}
+JAUSCAT_DECL result<void, error> jaus_node::send_datagram(bytes datagram, const endpoint& to) {
+    if (!running()) return error{.code = errc::not_running, .reason = {}, .message = "the node is not running"};
+    return parts_->socket->send(datagram, to);
 }
 JAUSCAT_DECL void jaus_node::wake() {
     machine_.wake(now());

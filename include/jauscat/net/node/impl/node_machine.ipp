@@ -3,6 +3,7 @@
 #include <jauscat/net/limited_log.hpp>
 #include <jauscat/net/node/datagram_gate.hpp>
 #include <jauscat/net/node/detail/default_answers.hpp>
+#include <jauscat/net/node/detail/named_forms.hpp>
 #include <jauscat/net/node/detail/node_core.hpp>
 #include <jauscat/net/node/detail/own_manager.hpp>
 #include <jauscat/net/node/detail/presence_changes.hpp>
@@ -15,6 +16,21 @@
 #include <utility>
 
 namespace jauscat::net {
+
+namespace detail {
+// The form of a datagram's content without the framing.
+inline jaus::datagram_form form_of(std::span<const std::byte> message, jaus::framing how) noexcept {
+    if (how == jaus::framing::jaus01) return jaus::datagram_form::jaus01;
+    if (how == jaus::framing::judp1) return jaus::datagram_form::judp1;
+    return jaus::form_of(message);
+}
+// A message of the RA may begin with 2, too, so the form counts; it is not looked at for others.
+inline bool is_sae(std::span<const std::byte> message, jaus::framing how) noexcept {
+    return how == jaus::framing::bare && !message.empty() && message[0] == std::byte{2} &&
+           jaus::form_of(message) == jaus::datagram_form::judp2;
+}
+} // namespace detail
+
 inline namespace JAUSCAT_WAY {
 
 struct node_machine::parts {
@@ -31,6 +47,7 @@ struct node_machine::parts {
     detail::node_core core; ///< its first component is the node manager
     detail::presence_changes changes{};
     std::optional<datagram_gate> gate{};
+    detail::named_forms named{};
     std::optional<detail::own_manager> manager{};
     std::exception_ptr thrown{}; ///< by a handler that was called while a component sent
 };
@@ -98,15 +115,46 @@ inline bool node_machine::has_manager() const noexcept { return detail::covers(c
 
 JAUSCAT_DECL verdict node_machine::check(bytes message, const endpoint& from, jaus::framing how, time_point now) {
     at_ = now;
+    if (detail::is_sae(message, how)) return check_sae(from, now);
     const auto what = (*parts_->gate)(message, from, now, how);
+    if (what == verdict::accepted) return what;
+    const auto form = detail::form_of(message, how);
+    if (what == verdict::other_framing || form == jaus::datagram_form::judp1_compressed) {
+        if (parts_->named.is_new(from.address(), form))
+            parts_->log(now, [&] {
+                return "a datagram from " + detail::text(from) + " is refused: " +
+                       (what == verdict::other_framing ? std::string{describe(what)}
+                                                       : "it is " + std::string{jaus::foreign_form(message)}) +
+                       "; the next ones of this host are only counted";
+            });
+        return what;
+    }
+    parts_->log(now, [&] {
+        const auto why = what != verdict::malformed
+                             ? std::string{describe(what)}
+                             : std::string{describe(what)} + ": " + std::string{describe(jaus::split(message).error)};
+        return "a datagram from " + detail::text(from) + " is refused: " + why;
+    });
+    return what;
+}
+
+inline verdict node_machine::check_sae(const endpoint& from, time_point now) {
+    if (!options_.on_sae_datagram) {
+        if (parts_->named.is_new(from.address(), jaus::datagram_form::judp2))
+            parts_->log(now, [&] {
+                return "a datagram from " + detail::text(from) + " is refused: it is " +
+                       std::string{describe(jaus::datagram_form::judp2)} +
+                       ", which this node does not take: set the option on_sae_datagram"
+                       " (docs/sae-transport.md); the next ones of this host are only counted";
+            });
+        return verdict::other_generation;
+    }
+    const auto what = parts_->gate->check_sae(from, now);
     if (what != verdict::accepted)
         parts_->log(now, [&] {
-            const auto foreign = jaus::foreign_form(message);
-            const auto why = !foreign.empty()             ? "it is " + std::string{foreign}
-                             : what != verdict::malformed ? std::string{describe(what)}
-                                                          : std::string{describe(what)} + ": " +
-                                                                std::string{describe(jaus::split(message).error)};
-            return "a datagram from " + detail::text(from) + " is refused: " + why;
+            return "a datagram of SAE JAUS from " + detail::text(from) + " is refused: " +
+                   (what == verdict::unknown_peer ? "no system of the configuration has this host; give it as ip of one"
+                                                  : std::string{describe(what)});
         });
     return what;
 }
@@ -115,6 +163,10 @@ JAUSCAT_DECL void node_machine::received(bytes message, const endpoint& from, ja
                                          time_point now, duration waited) {
     if (!running()) return;
     at_ = now;
+    if (detail::is_sae(message, how)) {
+        if (options_.on_sae_datagram) options_.on_sae_datagram(message, from);
+        return;
+    }
     const auto m = jaus::split(message);
     if (!m)
         return parts_->log(now, [&] {

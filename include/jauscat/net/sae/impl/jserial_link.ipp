@@ -4,31 +4,45 @@
 
 #include <boost/asio/error.hpp>
 
+#include <algorithm>
+#include <chrono>
+
 namespace jauscat::net {
 inline namespace JAUSCAT_WAY {
 
 JAUSCAT_DECL jserial_link::jserial_link(boost::asio::io_context& context, sae::transport& transport,
                                         const jserial_options& options)
-    : port_{context},
+    : options_{options},
+      port_{context},
+      pause_{context},
+      pauses_{options.reopen},
       message_(std::max(options.message_size, sae::transport_overhead)),
       reader_{message_},
-      driver_{context, transport, [this](const sae::outgoing_datagram& datagram) { put(datagram); }},
-      writer_{port_, options.max_waiting, [this](const boost::system::error_code& error) { failed(error); }},
-      device_{options.device} {
+      driver_{context, transport, [this](const sae::outgoing_datagram& datagram) { put(datagram); }} {
+    if (const auto error = open()) {
+        const bool is_refused = error == boost::asio::error::access_denied;
+        throw open_error{{.code = is_refused ? errc::not_permitted : errc::not_opened,
+                          .reason = error,
+                          .message = "cannot open the serial line " + options.device + ": " + error.message() +
+                                     (is_refused ? "; its group, mostly dialout, may use it" : "")}};
+    }
+    make_writer();
+}
+
+JAUSCAT_DECL boost::system::error_code jserial_link::open() {
     using base = boost::asio::serial_port_base;
     boost::system::error_code error;
-    port_.open(options.device, error);
-    if (!error) port_.set_option(base::baud_rate{options.baud}, error);
+    port_.open(options_.device, error);
+    if (!error) port_.set_option(base::baud_rate{options_.baud}, error);
     if (!error) port_.set_option(base::character_size{8}, error);
     if (!error) port_.set_option(base::parity{base::parity::none}, error);
     if (!error) port_.set_option(base::stop_bits{base::stop_bits::one}, error);
     if (!error) port_.set_option(base::flow_control{base::flow_control::none}, error);
-    if (!error) return;
-    const bool is_refused = error == boost::asio::error::access_denied;
-    throw open_error{{.code = is_refused ? errc::not_permitted : errc::not_opened,
-                      .reason = error,
-                      .message = "cannot open the serial line " + options.device + ": " + error.message() +
-                                 (is_refused ? "; its group, mostly dialout, may use it" : "")}};
+    return error;
+}
+
+JAUSCAT_DECL void jserial_link::make_writer() {
+    writer_.emplace(port_, options_.max_waiting, [this](const boost::system::error_code& error) { failed(error); });
 }
 
 JAUSCAT_DECL void jserial_link::start(sae_handlers handlers) {
@@ -39,6 +53,7 @@ JAUSCAT_DECL void jserial_link::start(sae_handlers handlers) {
 JAUSCAT_DECL void jserial_link::stop() {
     driver_.stop();
     alive_ = std::make_shared<char>();
+    pause_.cancel();
     boost::system::error_code ignored;
     port_.close(ignored);
 }
@@ -48,6 +63,7 @@ JAUSCAT_DECL void jserial_link::receive() {
                                                            const boost::system::error_code& error, std::size_t size) {
         if (token.expired()) return;
         if (error) return failed(error);
+        pauses_.reset();
         received(std::span{input_}.first(size));
         if (!token.expired()) receive();
     });
@@ -68,12 +84,34 @@ JAUSCAT_DECL void jserial_link::received(std::span<const std::byte> bytes) {
 JAUSCAT_DECL void jserial_link::put(const sae::outgoing_datagram& datagram) {
     frame_.resize(sae::max_serial_frame_size(datagram.message().size()));
     const auto frame = sae::put_serial_frame(datagram.message(), frame_);
-    if (!frame || !writer_.write(*frame, alive_)) ++counters_.dropped;
+    if (!frame || !port_.is_open() || !writer_->write(*frame, alive_)) ++counters_.dropped;
 }
 
+// What the reader has of a frame is lost with the device. The writer may be the caller: it stays until the next one.
 JAUSCAT_DECL void jserial_link::failed(const boost::system::error_code& error) {
-    driver_.report("the serial line " + device_ + " has failed: " + error.message());
-    stop();
+    alive_ = std::make_shared<char>(); // no handler of the closed device runs
+    boost::system::error_code ignored;
+    port_.close(ignored);
+    reader_ = sae::jserial_reader{message_};
+    reopen_later();
+    driver_.report("the serial line " + options_.device + " has failed: " + error.message() +
+                   "; it is opened again when it is there: see its cable and its power");
+}
+
+JAUSCAT_DECL void jserial_link::reopen_later() {
+    pause_.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(pauses_.next()));
+    pause_.async_wait([this, token = std::weak_ptr<char>{alive_}](const boost::system::error_code& aborted) {
+        if (aborted || token.expired()) return;
+        if (open()) {
+            boost::system::error_code ignored;
+            port_.close(ignored);
+            return reopen_later();
+        }
+        make_writer();
+        ++counters_.reopened;
+        receive();
+        driver_.report("the serial line " + options_.device + " is open again");
+    });
 }
 
 } // namespace JAUSCAT_WAY

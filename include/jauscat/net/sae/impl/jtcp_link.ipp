@@ -1,7 +1,9 @@
 // The functions of jtcp_link.
 #pragma once
 #include <jauscat/net/bind_error.hpp>
+#include <jauscat/net/detail/endpoint_text.hpp>
 #include <jauscat/net/sae/detail/bounded_writer.hpp>
+#include <jauscat/net/sae/detail/keep_alive.hpp>
 #include <jauscat/net/sae/jtcp_link.hpp>
 #include <jauscat/sae/transport/jtcp.hpp>
 
@@ -15,16 +17,33 @@
 namespace jauscat::net {
 inline namespace JAUSCAT_WAY {
 
+/// A peer to which a connection is to be kept.
+struct jtcp_link::target {
+    target(boost::asio::io_context& context, const endpoint& peer, const pause_limits& limits)
+        : to{peer}, pause{limits}, timer{context} {}
+
+    endpoint to;
+    growing_pause pause;
+    boost::asio::steady_timer timer;
+    std::string reason{}; ///< of the last failure that was logged; empty after a connection
+};
+
 struct jtcp_link::connection {
-    connection(boost::asio::ip::tcp::socket opened, std::uint64_t number, const jtcp_options& options,
-               std::function<void()> failed)
+    connection(boost::asio::ip::tcp::socket opened, std::uint64_t number, const endpoint& from,
+               const jtcp_options& options, std::function<void(const boost::system::error_code&)> failed)
         : socket{std::move(opened)},
+          idle{socket.get_executor()},
           key{number},
+          peer{from},
           message(std::max(options.message_size, sae::transport_overhead)),
-          out{socket, options.max_waiting, [done = std::move(failed)](const boost::system::error_code&) { done(); }} {}
+          out{socket, options.max_waiting, std::move(failed)} {}
 
     boost::asio::ip::tcp::socket socket;
+    boost::asio::steady_timer idle;
     std::uint64_t key;
+    endpoint peer;
+    std::shared_ptr<target> wanted{}; ///< where it was made by `connect`
+    time_point heard_at{now()};
     std::vector<std::byte> message;
     sae::jtcp_reader reader{message};
     sae::jtcp_writer writer{};
@@ -71,7 +90,7 @@ JAUSCAT_DECL void jtcp_link::stop() {
     boost::system::error_code ignored;
     acceptor_.close(ignored);
     pause_.cancel();
-    while (!connections_.empty()) close(connections_.begin()->first);
+    while (!connections_.empty()) close(connections_.begin()->first, {});
 }
 
 JAUSCAT_DECL void jtcp_link::accept() {
@@ -101,37 +120,77 @@ JAUSCAT_DECL void jtcp_link::accepted(boost::asio::ip::tcp::socket socket) {
         ++counters_.no_capacity;
     else {
         ++counters_.accepted;
-        open(std::move(socket));
+        open(std::move(socket), from, {});
     }
 }
 
 JAUSCAT_DECL void jtcp_link::connect(const endpoint& to) {
+    try_to_connect(std::make_shared<target>(context_, to, options_.reconnect));
+}
+
+JAUSCAT_DECL void jtcp_link::try_to_connect(const std::shared_ptr<target>& to) {
     auto socket = std::make_shared<boost::asio::ip::tcp::socket>(context_);
     socket->async_connect(
-        to, [this, socket, to, token = std::weak_ptr<char>{alive_}](const boost::system::error_code& error) {
+        to->to, [this, socket, to, token = std::weak_ptr<char>{alive_}](const boost::system::error_code& error) {
             if (token.expired()) return;
-            if (error)
-                return driver_.report("cannot connect to " + to.address().to_string() + ' ' +
-                                      std::to_string(to.port()) + ": " + error.message());
+            if (error) return not_connected(to, error.message());
             if (connections_.size() >= options_.max_connections) {
                 ++counters_.no_capacity;
-                return;
+                return not_connected(to, "there are " + std::to_string(options_.max_connections) +
+                                             " connections already (option max_connections)");
             }
             ++counters_.connected;
-            open(std::move(*socket));
+            if (!to->reason.empty()) driver_.report("connected to " + detail::text(to->to) + " again");
+            to->reason.clear();
+            open(std::move(*socket), to->to, to);
         });
 }
 
-JAUSCAT_DECL void jtcp_link::open(boost::asio::ip::tcp::socket socket) {
+JAUSCAT_DECL void jtcp_link::not_connected(const std::shared_ptr<target>& to, const std::string& why) {
+    ++counters_.failed;
+    if (to->reason != why)
+        driver_.report("cannot connect to " + detail::text(to->to) + ": " + why +
+                       "; it is tried again: start the program there, or correct the address");
+    to->reason = why;
+    try_again_later(to);
+}
+
+JAUSCAT_DECL void jtcp_link::try_again_later(const std::shared_ptr<target>& to) {
+    to->timer.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(to->pause.next()));
+    to->timer.async_wait([this, to, token = std::weak_ptr<char>{alive_}](const boost::system::error_code& aborted) {
+        if (!aborted && !token.expired()) try_to_connect(to);
+    });
+}
+
+JAUSCAT_DECL void jtcp_link::open(boost::asio::ip::tcp::socket socket, const endpoint& peer,
+                                  const std::shared_ptr<target>& wanted) {
     boost::system::error_code ignored;
     socket.set_option(boost::asio::ip::tcp::no_delay{true}, ignored);
+    if (options_.keep_alive > duration{} && !detail::set_keep_alive(socket, options_.keep_alive))
+        driver_.report("the connection with " + detail::text(peer) +
+                       " has no keep-alive: " + last_system_error().message());
     const auto key = ++last_key_;
-    const auto opened = std::make_shared<connection>(std::move(socket), key, options_,
-                                                     [this, key, token = std::weak_ptr<char>{alive_}] {
-                                                         if (!token.expired()) close(key);
-                                                     });
+    const auto opened = std::make_shared<connection>(
+        std::move(socket), key, peer, options_,
+        [this, key, token = std::weak_ptr<char>{alive_}](const boost::system::error_code& error) {
+            if (!token.expired()) close(key, error.message());
+        });
+    opened->wanted = wanted;
     connections_.emplace(key, opened);
+    if (options_.idle_limit > duration{}) watch_idle(opened);
     receive(opened);
+}
+
+JAUSCAT_DECL void jtcp_link::watch_idle(const std::shared_ptr<connection>& to) {
+    to->idle.expires_at(to_steady(saturating_add(to->heard_at, options_.idle_limit)));
+    to->idle.async_wait([this, token = std::weak_ptr<char>{alive_},
+                         watched = std::weak_ptr{to}](const boost::system::error_code& aborted) {
+        const auto it = watched.lock();
+        if (aborted || token.expired() || !it) return;
+        if (now() - it->heard_at < options_.idle_limit) return watch_idle(it);
+        ++counters_.idle;
+        close(it->key, "nothing came from it for longer than idle_limit");
+    });
 }
 
 JAUSCAT_DECL void jtcp_link::receive(const std::shared_ptr<connection>& from) {
@@ -139,12 +198,14 @@ JAUSCAT_DECL void jtcp_link::receive(const std::shared_ptr<connection>& from) {
         boost::asio::buffer(from->input),
         [this, from, token = std::weak_ptr<char>{alive_}](const boost::system::error_code& error, std::size_t size) {
             if (token.expired() || !connections_.contains(from->key)) return;
-            if (error) return close(from->key);
+            if (error)
+                return close(from->key, error == boost::asio::error::eof ? "the peer has closed it" : error.message());
+            from->heard_at = now();
             received(*from, std::span{from->input}.first(size));
             if (token.expired() || !connections_.contains(from->key)) return;
             if (from->reader.error() != sae::transport_errc::ok) {
                 ++counters_.wrong;
-                return close(from->key);
+                return close(from->key, std::string{describe(from->reader.error())});
             }
             receive(from);
         });
@@ -153,6 +214,7 @@ JAUSCAT_DECL void jtcp_link::receive(const std::shared_ptr<connection>& from) {
 JAUSCAT_DECL void jtcp_link::received(connection& from, std::span<const std::byte> bytes) {
     from.reader.on_bytes(bytes, [&, token = std::weak_ptr<char>{alive_}](const sae::split_transport_message& packet) {
         if (token.expired()) return; // a handler has stopped it
+        if (from.wanted) from.wanted->pause.reset();
         if (from.bucket.take(options_.limit, now()))
             driver_.on_packet({from.key}, packet);
         else
@@ -180,13 +242,23 @@ JAUSCAT_DECL void jtcp_link::write(const std::shared_ptr<connection>& to, std::s
     to->writer = writer;
 }
 
-JAUSCAT_DECL void jtcp_link::close(std::uint64_t key) {
+// Without a reason the link stops.
+JAUSCAT_DECL void jtcp_link::close(std::uint64_t key, const std::string& why) {
     const auto found = connections_.find(key);
     if (found == connections_.end()) return;
+    const auto closed = found->second;
     boost::system::error_code ignored;
-    found->second->socket.close(ignored);
+    closed->socket.close(ignored);
+    closed->idle.cancel();
     connections_.erase(found);
     driver_.transport().forget({key});
+    if (why.empty()) return;
+    if (closed->wanted) {
+        closed->wanted->reason = why;
+        try_again_later(closed->wanted);
+    }
+    driver_.report("the connection with " + detail::text(closed->peer) + " has ended: " + why +
+                   (closed->wanted ? "; it is made again" : ""));
 }
 
 } // namespace JAUSCAT_WAY

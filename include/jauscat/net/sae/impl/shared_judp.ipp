@@ -1,0 +1,31 @@
+// The functions of shared_judp.
+#pragma once
+#include <jauscat/net/detail/endpoint_text.hpp>
+#include <jauscat/net/sae/judp_link.hpp>
+#include <jauscat/net/sae/shared_judp.hpp>
+
+#include <utility>
+
+namespace jauscat::net {
+inline namespace JAUSCAT_WAY {
+
+JAUSCAT_DECL shared_judp::shared_judp(boost::asio::io_context& context, sae::transport& transport, send_handler send,
+                                      std::optional<endpoint> group)
+    : send_{std::move(send)},
+      group_{std::move(group)},
+      driver_{context, transport, [this](const sae::outgoing_datagram& datagram) { put(datagram); }} {}
+
+JAUSCAT_DECL void shared_judp::on_datagram(bytes datagram, const endpoint& from) {
+    if (!from.address().is_v4())
+        return driver_.report("a datagram from " + detail::text(from) + " is dropped: JUDP needs IPv4");
+    driver_.on_datagram(judp_link::key_of(from), datagram);
+}
+
+JAUSCAT_DECL void shared_judp::put(const sae::outgoing_datagram& datagram) {
+    if (!datagram.to && !group_) return; // the transport sends nothing to a group that it does not have
+    const auto to = datagram.to ? judp_link::endpoint_of(*datagram.to) : *group_;
+    if (const auto sent = send_(datagram.bytes, to); !sent) driver_.report(sent.error().message);
+}
+
+} // namespace JAUSCAT_WAY
+} // namespace jauscat::net

@@ -1,0 +1,72 @@
+// SAE JAUS over UDP at the port of another socket, such as that of a node of the RA.
+#pragma once
+
+#include <jauscat/base/compilation.hpp>
+#include <jauscat/net/config/udp_options.hpp>
+#include <jauscat/net/error.hpp>
+#include <jauscat/net/sae/transport_driver.hpp>
+#include <jauscat/sae/transport/judp.hpp>
+
+#include <boost/asio/ip/udp.hpp>
+
+#include <functional>
+#include <optional>
+#include <span>
+
+namespace jauscat::net {
+inline namespace JAUSCAT_WAY {
+
+/// The group of JUDP, 239.255.0.1, with the TTL of AS5669A.
+[[nodiscard]] inline multicast_options judp_multicast() {
+    return {.group = boost::asio::ip::address_v4{sae::judp_group}, .port = sae::jaus_port, .ttl = sae::judp_ttl};
+}
+
+/// Passes datagrams of another socket to a transport, and the transport's datagrams to that socket, so that the RA and
+/// SAE JAUS share a port. The other socket has the access list, the rate limits and the group.
+///
+///     net::jaus_node node{context, config, {.on_sae_datagram = [&](auto datagram, const auto& from) {
+///                                               link.on_datagram(datagram, from);
+///                                           }}};
+///     net::shared_judp link{context, transport,
+///                           [&](auto datagram, const auto& to) { return node.send_datagram(datagram, to); }};
+///
+/// Use it from the thread that runs the io_context.
+class shared_judp {
+  public:
+    using endpoint = boost::asio::ip::udp::endpoint;
+    using bytes = std::span<const std::byte>;
+    /// Sends a datagram from the shared port.
+    using send_handler = std::function<result<void, error>(bytes datagram, const endpoint& to)>;
+
+    /// `transport` must outlive it; without `group` it has none: `has_group` is false.
+    JAUSCAT_DECL shared_judp(boost::asio::io_context& context, sae::transport& transport, send_handler send,
+                             std::optional<endpoint> group = {});
+    shared_judp(const shared_judp&) = delete;
+    shared_judp& operator=(const shared_judp&) = delete;
+
+    /// The socket must be open.
+    void start(sae_handlers handlers) { driver_.start(std::move(handlers)); }
+    /// No handler is called afterwards, and nothing is sent.
+    void stop() { driver_.stop(); }
+
+    /// A datagram that the socket has received. Those of IPv6 are dropped and named in the log: AS5669A has none.
+    JAUSCAT_DECL void on_datagram(bytes datagram, const endpoint& from);
+    /// See sae::transport::send.
+    result<std::uint16_t, sae::transport_errc> send(const sae::outgoing_message& message, bytes payload) {
+        return driver_.send(message, payload);
+    }
+
+  private:
+    JAUSCAT_DECL void put(const sae::outgoing_datagram& datagram);
+
+    send_handler send_;
+    std::optional<endpoint> group_;
+    transport_driver driver_;
+};
+
+} // namespace JAUSCAT_WAY
+} // namespace jauscat::net
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/net/sae/impl/shared_judp.ipp>
+#endif
