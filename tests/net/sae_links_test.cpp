@@ -166,7 +166,7 @@ TEST_CASE("hosts that are not accepted and datagrams above the rate are counted,
     CHECK(there.received.size() == 1);
 }
 
-TEST_CASE("other forms of JAUS at the port are named once and counted") {
+TEST_CASE("other forms of JAUS at the port are named once for each host, and counted") {
     boost::asio::io_context context;
     station there{component};
     net::judp_link link{context, there.transport, unicast()};
@@ -183,9 +183,15 @@ TEST_CASE("other forms of JAUS at the port are named once and counted") {
     CHECK(counts().of(jaus::datagram_form::jaus01) == 2);
     CHECK(counts().of(jaus::datagram_form::judp1_compressed) == 2);
     REQUIRE(there.log.size() == 3);
-    CHECK(there.log[0].find("it is AS5669-2007, which is not served here") != std::string::npos);
+    CHECK(there.log[0].find("it is AS5669-2007, which is not served here: give start a handler of RA messages") !=
+          std::string::npos);
     CHECK(there.log[1].find("it is JAUS01.0") != std::string::npos);
     CHECK(there.log[2].find("it is AS5669-2007 with header compression") != std::string::npos);
+    udp::socket second{context, udp::endpoint{boost::asio::ip::make_address("127.0.0.2"), 0}};
+    second.send_to(boost::asio::buffer(from_hex("4a41555330312e30 0602020001210203042005060000 0000")), link.local());
+    REQUIRE(support::until(context, [&] { return link.counts().received == 7; }));
+    REQUIRE(there.log.size() == 4);
+    CHECK(there.log[3].find("from 127.0.0.2:") != std::string::npos);
 }
 
 TEST_CASE("a node of the RA behind the same port answers messages of AS5669-2007 and JAUS01.0") {

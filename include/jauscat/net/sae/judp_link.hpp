@@ -2,6 +2,7 @@
 #pragma once
 
 #include <jauscat/base/compilation.hpp>
+#include <jauscat/net/detail/named_forms.hpp>
 #include <jauscat/net/link/udp_transport.hpp>
 #include <jauscat/net/rate_limit.hpp>
 #include <jauscat/net/sae/transport_driver.hpp>
@@ -9,7 +10,6 @@
 #include <boost/asio/ip/address_v4.hpp>
 #include <boost/asio/ip/udp.hpp>
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -33,7 +33,7 @@ struct judp_options {
 /// Sends and receives the messages of a transport over UDP. Use it from the thread that runs the io_context.
 ///
 /// Messages of the RA that arrive at the same port are passed to a handler, such as one of a node_machine, where there
-/// is one; else they are named in the log, once for each form, and counted.
+/// is one; else they are named in the log, once for each form of a host, and counted.
 class judp_link {
   public:
     using endpoint = boost::asio::ip::udp::endpoint;
@@ -82,7 +82,7 @@ class judp_link {
     udp_transport socket_;
     transport_driver driver_;
     ra_handler on_ra_message_{};
-    std::array<bool, 8> is_named_{}; ///< by jaus::datagram_form
+    detail::named_forms<jaus::datagram_form> named_{};
 };
 
 } // namespace JAUSCAT_WAY

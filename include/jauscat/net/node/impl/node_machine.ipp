@@ -1,9 +1,9 @@
 // The functions of node_machine.
 #pragma once
+#include <jauscat/net/detail/named_forms.hpp>
 #include <jauscat/net/limited_log.hpp>
 #include <jauscat/net/node/datagram_gate.hpp>
 #include <jauscat/net/node/detail/default_answers.hpp>
-#include <jauscat/net/node/detail/named_forms.hpp>
 #include <jauscat/net/node/detail/node_core.hpp>
 #include <jauscat/net/node/detail/own_manager.hpp>
 #include <jauscat/net/node/detail/presence_changes.hpp>
@@ -47,7 +47,7 @@ struct node_machine::parts {
     detail::node_core core; ///< its first component is the node manager
     detail::presence_changes changes{};
     std::optional<datagram_gate> gate{};
-    detail::named_forms named{};
+    detail::named_forms<jaus::datagram_form> named{};
     std::optional<detail::own_manager> manager{};
     std::exception_ptr thrown{}; ///< by a handler that was called while a component sent
 };

@@ -74,10 +74,11 @@ JAUSCAT_DECL void judp_link::received(std::span<const std::byte> message, const 
 }
 
 JAUSCAT_DECL void judp_link::name(jaus::datagram_form form, const endpoint& from) {
-    bool& is_named = is_named_[static_cast<std::size_t>(form)];
-    if (std::exchange(is_named, true)) return;
-    driver_.report("a datagram from " + detail::text(from) + " is dropped: it is " + std::string{describe(form)} +
-                   ", which is not served here; the next ones are only counted");
+    if (!named_.is_new(from.address(), form)) return;
+    driver_.report(
+        "a datagram from " + detail::text(from) + " is dropped: it is " + std::string{describe(form)} +
+        ", which is not served here: give start a handler of RA messages, such as a node's (docs/sae-transport.md); the"
+        " next ones of this host are only counted");
 }
 
 JAUSCAT_DECL void judp_link::put(const sae::outgoing_datagram& datagram) {
