@@ -5,7 +5,7 @@ function(jauscat_add_compiled sources net)
     add_library(jauscat_compiled STATIC EXCLUDE_FROM_ALL ${files})
     add_library(jauscat::compiled ALIAS jauscat_compiled)
     if(CMAKE_UNITY_BUILD)
-        # Half the time of a unit for each source, and a gigabyte for each of these.
+        # Half the time of a unit for each source, and a gigabyte for each of these (memory.cmake has more).
         set(JAUSCAT_COMPILED_BATCH_SIZE 6 CACHE STRING "Sources of jauscat::compiled that are compiled as one unit")
         set_target_properties(jauscat_compiled PROPERTIES UNITY_BUILD_BATCH_SIZE ${JAUSCAT_COMPILED_BATCH_SIZE})
     else()
