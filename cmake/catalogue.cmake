@@ -17,3 +17,13 @@ function(jauscat_add_catalogue sources text)
     target_compile_options(jauscat_catalogue PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
     target_link_libraries(jauscat_catalogue PUBLIC ${text})
 endfunction()
+
+# The target jauscat::catalogue_sae: the same for the messages of SAE services.
+function(jauscat_add_sae_catalogue sources text)
+    file(GLOB files ${sources}/catalogue/sae/*.cpp)
+    add_library(jauscat_catalogue_sae STATIC EXCLUDE_FROM_ALL ${files})
+    add_library(jauscat::catalogue_sae ALIAS jauscat_catalogue_sae)
+    set_target_properties(jauscat_catalogue_sae PROPERTIES UNITY_BUILD OFF) # half a gigabyte or more for each source
+    target_compile_options(jauscat_catalogue_sae PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
+    target_link_libraries(jauscat_catalogue_sae PUBLIC ${text})
+endfunction()

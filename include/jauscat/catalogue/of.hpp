@@ -1,6 +1,7 @@
 // Makes a catalogue of a list of message types. The only header of catalogue/ that is compiled for each message.
 #pragma once
 #include <jauscat/catalogue/list.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/jaus/message/presence_bits.hpp>
 #include <jauscat/schema/jaus/message_list.hpp>
 #include <jauscat/text/annotate.hpp>
@@ -11,26 +12,52 @@
 
 namespace jauscat::catalogue {
 
+/// A message of SAE JAUS: its schema has a message ID, which is also the first field of its layout.
+template <class T>
+concept identified_message = wire::message<T> && requires {
+    { wire::schema<T>::message_id } -> std::convertible_to<std::uint16_t>;
+};
+
 namespace detail {
 
-template <jaus::coded_message T> constexpr std::uint16_t query_code() {
-    if constexpr (jaus::report_message<T>)
-        return jaus::command_code_of<jaus::query_of<T>>;
+template <class T> consteval std::uint16_t code_of() {
+    if constexpr (identified_message<T>)
+        return wire::schema<T>::message_id;
     else
-        return 0;
-}
-template <jaus::coded_message T> constexpr std::uint16_t report_code() {
-    if constexpr (jaus::query_message<T>)
-        return jaus::command_code_of<jaus::report_of<T>>;
-    else
-        return 0;
+        return jaus::command_code_of<T>;
 }
 
-template <jaus::coded_message T>
+/// How far the code of a report is from that of its query.
+inline constexpr std::uint16_t report_distance = 0x2000;
+
+/// Of RA 3.3, the schema names query and report; of SAE JAUS, the IDs do, where the list has both.
+template <class T> consteval std::uint16_t query_code(std::initializer_list<std::uint16_t> codes) {
+    if constexpr (jaus::report_message<T>) {
+        return jaus::command_code_of<jaus::query_of<T>>;
+    } else if constexpr (identified_message<T>) {
+        const auto query = static_cast<std::uint16_t>(code_of<T>() - report_distance);
+        return jaus::report_code_of(query) == code_of<T>() && std::ranges::find(codes, query) != codes.end() ? query
+                                                                                                             : 0;
+    } else {
+        return 0;
+    }
+}
+template <class T> consteval std::uint16_t report_code(std::initializer_list<std::uint16_t> codes) {
+    if constexpr (jaus::query_message<T>) {
+        return jaus::command_code_of<jaus::report_of<T>>;
+    } else if constexpr (identified_message<T>) {
+        const std::uint16_t report = jaus::report_code_of(code_of<T>());
+        return std::ranges::find(codes, report) != codes.end() ? report : 0;
+    } else {
+        return 0;
+    }
+}
+
+template <class T, std::uint16_t Query, std::uint16_t Report>
 inline constexpr entry_data data_of{
-    .command_code = jaus::command_code_of<T>,
-    .query = query_code<T>(),
-    .report = report_code<T>(),
+    .command_code = code_of<T>(),
+    .query = Query,
+    .report = Report,
     .name = wire::type_name<T>(),
     .min_size = wire::min_size<T>,
     .max_size = wire::max_size<T>,
@@ -52,8 +79,9 @@ inline constexpr entry_data data_of{
     .annotate = [](std::span<const std::byte> body,
                    std::size_t first_offset) { return text::annotate<T>(body, first_offset); }};
 
-template <template <class...> class List, jaus::coded_message... Messages> list made_of(List<Messages...>) {
-    return list{std::vector<entry>{entry{data_of<Messages>}...}};
+template <template <class...> class List, class... Messages> list made_of(List<Messages...>) {
+    return list{std::vector<entry>{entry{data_of<Messages, query_code<Messages>({code_of<Messages>()...}),
+                                                 report_code<Messages>({code_of<Messages>()...})>}...}};
 }
 
 } // namespace detail

@@ -6,7 +6,7 @@
 namespace jauscat::jaus {
 
 /// The presence bits that a message's layout defines; 0 where it has no presence vector.
-template <coded_message T>
+template <wire::message T>
 inline constexpr std::uint32_t presence_bits_of = [] {
     std::uint32_t bits = 0;
     wire::layout_of<T>::all_items([&]<class Item>() {
