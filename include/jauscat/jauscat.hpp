@@ -12,6 +12,7 @@
 #include <jauscat/bridge/object_list.hpp>
 #include <jauscat/bridge/packet_exchange.hpp>
 #include <jauscat/bridge/ring.hpp>
+#include <jauscat/bridge/sae_delivery.hpp>
 #include <jauscat/ethercat/cia402/emulated_drive.hpp>
 #include <jauscat/ethercat/cia402/error_text.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
@@ -52,6 +53,7 @@
 #include <jauscat/sae/transport/transport.hpp>
 #include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
+#include <jauscat/schema/translation/sae_table.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>

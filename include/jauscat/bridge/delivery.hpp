@@ -37,6 +37,33 @@ struct object_access {
     std::span<const std::byte> data{}; ///< points into the packet; empty for an upload
 };
 
+namespace detail {
+
+/// The message of a written object. `own` has what the object does not carry.
+template <class Table>
+[[nodiscard]] constexpr result<std::span<std::byte>, translate::errc>
+message_of(const object_access& object, const typename Table::header_type& own, std::span<std::byte> out) noexcept {
+    typename Table::packet_type fields{};
+    Table::prefill(own, fields, {.body = 0, .data = object.data.size()});
+    fields.ul_node_id = object.station;
+    fields.ul_index = object.index;
+    fields.ul_sub_index = object.subindex;
+    return translate::translator<Table>::from_packet(fields, object.data, out);
+}
+
+/// The object access that a packet requests. Its data are `ulDataCnt` bytes; bytes behind them are ignored.
+[[nodiscard]] constexpr object_access object_of(std::span<const std::byte> bytes) noexcept {
+    hilscher::sdo_download_request fields{};
+    if (!wire::decode_prefix(fields, bytes)) return {};
+    const auto data = bytes.subspan(wire::max_size<hilscher::sdo_download_request>);
+    return {.station = static_cast<std::uint16_t>(fields.ul_node_id),
+            .index = static_cast<std::uint16_t>(fields.ul_index),
+            .subindex = static_cast<std::uint8_t>(fields.ul_sub_index),
+            .data = data.first(std::min<std::size_t>(fields.ul_data_cnt, data.size()))};
+}
+
+} // namespace detail
+
 /// Delivery of JAUS messages to slaves by a translation table between jaus::header and the SDO download request.
 template <class Table> struct delivery {
     using packet = hilscher::sdo_download_request;
@@ -52,14 +79,7 @@ template <class Table> struct delivery {
 
     /// The object access that a packet requests. Its data are `ulDataCnt` bytes; bytes behind them are ignored.
     [[nodiscard]] static constexpr object_access object_of(std::span<const std::byte> bytes) noexcept {
-        packet fields{};
-        if (!wire::decode_prefix(fields, bytes)) return {};
-        return {.station = static_cast<std::uint16_t>(fields.ul_node_id),
-                .index = static_cast<std::uint16_t>(fields.ul_index),
-                .subindex = static_cast<std::uint8_t>(fields.ul_sub_index),
-                .data =
-                    bytes.subspan(wire::max_size<packet>,
-                                  std::min<std::size_t>(fields.ul_data_cnt, bytes.size() - wire::max_size<packet>))};
+        return detail::object_of(bytes);
     }
 
     /// Writes the JAUS message of a written object, and returns it. What the object does not carry (under the seed
@@ -67,15 +87,10 @@ template <class Table> struct delivery {
     /// translator::from_packet.
     [[nodiscard]] static constexpr result<std::span<std::byte>, translate::errc>
     message_of(const object_access& object, const slave_identity& self, std::span<std::byte> out) noexcept {
-        packet fields{};
         const jaus::header own{.destination = {.instance = self.instance,
                                                .node = static_cast<std::uint8_t>(self.station),
                                                .subsystem = self.subsystem}};
-        Table::prefill(own, fields, {.body = 0, .data = object.data.size()});
-        fields.ul_node_id = object.station;
-        fields.ul_index = object.index;
-        fields.ul_sub_index = object.subindex;
-        return translator::from_packet(fields, object.data, out);
+        return detail::message_of<Table>(object, own, out);
     }
 };
 

@@ -1,8 +1,8 @@
 // Object of a component, with one subobject for each message that it accepts. Generated at compile time from message
 // types and table; used for a slave's dictionary, creation packets and ESI files.
 #pragma once
-#include <jauscat/schema/jaus/command_code.hpp>
 #include <jauscat/translate/table.hpp>
+#include <jauscat/wire/raw.hpp>
 #include <jauscat/wire/schema.hpp>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ inline constexpr std::uint16_t octet_string_type = 0x000A;
 /// One accepted message as a subobject.
 struct sub_object {
     std::uint8_t subindex{};      ///< the message's rank, 1 to 254
-    std::uint16_t command_code{}; ///< the message
+    std::uint16_t command_code{}; ///< the message; under a table of SAE its message ID
     std::string_view name{};      ///< the message type's name, such as `set_wrench_effort`
     std::uint16_t max_size{};     ///< bytes: the most that an access carries, or all accesses where sizes are exact
     bool readable{};              ///< an upload gives it
@@ -56,13 +56,27 @@ struct object_description {
 
 namespace detail {
 
-/// The packet value of one JAUS value under a row; 0 (no valid index or rank) if the row has none.
-template <class Table, class Row> constexpr std::uint32_t number_of(auto value) noexcept {
+/// The packet value of a component and a code under a row; 0 (no valid index or rank) if the row has none.
+template <class Table, class Row>
+constexpr std::uint32_t number_of(std::uint8_t component, std::uint16_t code) noexcept {
     typename Table::header_type header{};
     typename Table::packet_type packet{};
-    Row::from::of(header) = value;
+    Table::index_row::from::of(header) = component;
+    Table::subindex_row::from::of(header) = code;
     return Row::to_packet(header, packet, {}) == translate::errc::ok ? Row::to::of(packet) : 0;
 }
+template <class Table> constexpr std::uint16_t index_of(std::uint8_t component, std::uint16_t code) noexcept {
+    return static_cast<std::uint16_t>(number_of<Table, typename Table::index_row>(component, code));
+}
+
+// The message type of a raw.
+template <class T> struct message_of_raw {
+    using type = T;
+};
+template <wire::raw_object T> struct message_of_raw<T> {
+    using type = typename T::raw_of;
+};
+template <class T> inline constexpr std::uint16_t code_of = translate::code_of<typename message_of_raw<T>::type>;
 
 // RA 3.3 part 2, command codes: below 2000h commands, below 4000h queries, below 6000h informs. A command or query is
 // written only. An inform is read after its query, and written where it comes from another component. A message of
@@ -92,26 +106,28 @@ template <std::size_t Size> constexpr bool distinct_subindices(const std::array<
 template <class Table>
 [[nodiscard]] constexpr sub_object sub_object_of(std::uint16_t command_code, std::string_view name,
                                                  std::size_t max_body) noexcept {
-    return {.subindex = static_cast<std::uint8_t>(detail::number_of<Table, typename Table::subindex_row>(command_code)),
-            .command_code = command_code,
-            .name = name,
-            .max_size =
-                static_cast<std::uint16_t>(std::min(wire::total_size(Table::overhead, max_body), Table::max_data)),
-            .readable = detail::is_readable(command_code),
-            .writable = true};
+    return {
+        .subindex = static_cast<std::uint8_t>(detail::number_of<Table, typename Table::subindex_row>(0, command_code)),
+        .command_code = command_code,
+        .name = name,
+        .max_size = static_cast<std::uint16_t>(std::min(wire::total_size(Table::overhead, max_body), Table::max_data)),
+        .readable = detail::is_readable(command_code),
+        .writable = true};
 }
 /// The same for a message type.
 template <class Table, wire::message T> [[nodiscard]] constexpr sub_object sub_object_of() noexcept {
-    constexpr bool has_limit = !wire::layout_of<T>::to_the_end;
-    return sub_object_of<Table>(jaus::command_code_of<T>, wire::type_name<T>(),
-                                has_limit ? wire::max_size<T> : wire::unbounded);
+    return sub_object_of<Table>(detail::code_of<T>, wire::type_name<T>(),
+                                translate::largest_body<typename Table::header_type, T>);
 }
 
 /// The object of the component `Component` that accepts `Messages`, each with a schema and a command code, under
 /// `Table`. `Messages` may also be one list of types, such as jaus::message_list<...>.
 template <class Table, std::uint8_t Component, class... Messages> struct object_list {
-    static constexpr std::uint16_t index =
-        static_cast<std::uint16_t>(detail::number_of<Table, typename Table::index_row>(Component));
+    static constexpr std::uint16_t index = [] {
+        std::uint16_t code{}; // of the first message
+        static_cast<void>(((code = detail::code_of<Messages>, true) || ...));
+        return detail::index_of<Table>(Component, code);
+    }();
     static constexpr std::uint8_t component = Component;
     /// "component 33"
     static constexpr std::string_view name{detail::component_name<Component>.data(),
@@ -128,6 +144,10 @@ template <class Table, std::uint8_t Component, class... Messages> struct object_
     static_assert(entries.empty() || entries.front().subindex != 0,
                   "object_list: a message has no rank in the table; append its command code to the table's list");
     static_assert(detail::distinct_subindices(entries), "object_list: a message is listed twice");
+    static_assert(((detail::code_of<Messages> == 0 || entries.front().subindex == 0 ||
+                    detail::index_of<Table>(Component, detail::code_of<Messages>) == index) &&
+                   ...),
+                  "object_list: the messages are in several segments, each an object: use object_lists");
 
     /// The same without a type.
     static constexpr object_description description{index, component, name, exact_size, entries};
@@ -136,5 +156,61 @@ template <class Table, std::uint8_t Component, class... Messages> struct object_
 template <class Table, std::uint8_t Component, template <class...> class List, class... Messages>
 requires(!wire::message<List<Messages...>>)
 struct object_list<Table, Component, List<Messages...>> : object_list<Table, Component, Messages...> {};
+
+/// The objects of the component under a table with segments: one for each segment that has a message of `Messages`.
+template <class Table, std::uint8_t Component, class... Messages> struct object_lists {
+  private:
+    struct placed {
+        std::uint16_t index{};
+        sub_object entry{};
+        friend constexpr bool operator<(const placed& a, const placed& b) noexcept {
+            return a.index != b.index ? a.index < b.index : a.entry.subindex < b.entry.subindex;
+        }
+    };
+    static constexpr auto sorted = [] {
+        std::array<placed, sizeof...(Messages)> made{
+            placed{detail::index_of<Table>(Component, detail::code_of<Messages>), sub_object_of<Table, Messages>()}...};
+        std::sort(made.begin(), made.end());
+        return made;
+    }();
+    static constexpr bool distinct =
+        std::ranges::adjacent_find(sorted, [](const auto& a, const auto& b) { return !(a < b); }) == sorted.end();
+    static_assert(sorted.empty() || sorted.front().entry.subindex != 0,
+                  "object_lists: a message has no rank in the table; append its code to one of the table's lists");
+    static_assert(sorted.empty() || sorted.front().entry.subindex == 0 || distinct,
+                  "object_lists: a message is listed twice");
+    static constexpr std::size_t count = [] {
+        std::size_t found = 0;
+        for (std::size_t i = 0; i != sorted.size(); ++i)
+            found += i == 0 || sorted[i].index != sorted[i - 1].index ? 1u : 0u;
+        return found;
+    }();
+
+  public:
+    /// By ascending index and subindex.
+    static constexpr std::array<sub_object, sizeof...(Messages)> entries = [] {
+        std::array<sub_object, sizeof...(Messages)> made{};
+        for (std::size_t i = 0; i != made.size(); ++i) made[i] = sorted[i].entry;
+        return made;
+    }();
+    /// The objects, by ascending index.
+    static constexpr std::array<object_description, count> descriptions = [] {
+        using name = object_list<Table, Component>;
+        std::array<object_description, count> made{};
+        std::size_t first = 0;
+        for (auto& object : made) {
+            std::size_t end = first;
+            while (end != sorted.size() && sorted[end].index == sorted[first].index) ++end;
+            object = {sorted[first].index, Component, name::name, name::exact_size,
+                      std::span{entries}.subspan(first, end - first)};
+            first = end;
+        }
+        return made;
+    }();
+};
+
+template <class Table, std::uint8_t Component, template <class...> class List, class... Messages>
+requires(!wire::message<List<Messages...>>)
+struct object_lists<Table, Component, List<Messages...>> : object_lists<Table, Component, Messages...> {};
 
 } // namespace jauscat::bridging

@@ -53,6 +53,11 @@ requires requires { typename Row::states_body_size; }
 struct states_size<Row> {
     using uses = path_list<typename Row::states_body_size>;
 };
+template <class Row>
+requires requires { typename Row::checks_in_rest; }
+struct states_size<Row> {
+    using uses = path_list<typename Row::checks_in_rest>;
+};
 
 /// Finds the first row that refuses `read` with the error.
 template <bool ToPacket, class... Rows>

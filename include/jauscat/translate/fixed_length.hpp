@@ -45,10 +45,10 @@ template <class Table, class... Messages> struct fixed_length : Table {
     static_assert(Table::max_data <= 0xFFFF, "fixed_length: the length in front of the data has 16 bits");
     /// Bytes of the packet's data that are not the body.
     static constexpr std::size_t overhead = Table::overhead + wire::max_size<data_length>;
-    static constexpr std::array<std::uint16_t, sizeof...(Messages)> codes{wire::schema<Messages>::command_code...};
+    static constexpr std::array<std::uint16_t, sizeof...(Messages)> codes{code_of<Messages>...};
     /// The objects' sizes, beside their messages' codes.
     static constexpr std::array<std::size_t, sizeof...(Messages)> object_sizes{
-        largest_data<Messages, overhead, Table::max_data>...};
+        largest_data<typename Table::header_type, Messages, overhead, Table::max_data>...};
 
     /// Bytes of the object of the message with this header; 0 for a message without one.
     [[nodiscard]] static constexpr std::size_t object_size(const typename Table::header_type& header) noexcept {

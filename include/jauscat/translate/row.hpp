@@ -39,9 +39,9 @@ concept has_from_packet = requires(const Packet& packet, Message& message, sizes
 /// - `to_packet(const auto& message, auto& packet, sizes)` returns an errc;
 /// - `from_packet(const auto& packet, auto& message, sizes)`, the reverse, returns an errc.
 ///
-/// Optional, for a row that does the work of one of the library's: `states_body_size`, `counts_data`, `says_presence`
-/// and `counts_messages` (types, the field's path), `carries_rest`, `gives_index` and `gives_subindex` (constants),
-/// `keep`.
+/// Optional, for a row that does the work of one of the library's: `states_body_size`, `counts_data`, `checks_in_rest`,
+/// `says_presence` and `counts_messages` (types, the field's path), `carries_rest`, `gives_index` and `gives_subindex`
+/// (constants), `keep`.
 template <class Row, class Message, class Packet>
 concept row = detail::has_uses<Row> && detail::has_writes<Row> && detail::has_to_packet<Row, Message, Packet> &&
               detail::has_from_packet<Row, Message, Packet>;

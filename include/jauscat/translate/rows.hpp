@@ -135,6 +135,44 @@ template <class To, auto Value> struct constant {
     }
 };
 
+/// A JAUS field that always has this value, and is not carried.
+template <class From, auto Value> struct message_constant {
+    using uses = path_list<From>;
+    using writes = path_list<>;
+    [[gnu::always_inline]] static constexpr errc to_packet(const auto& header, const auto&, sizes) noexcept {
+        return From::of(header) == static_cast<typename From::type>(Value) ? errc::ok : errc::reserved_value;
+    }
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto&, auto& header, sizes) noexcept {
+        From::of(header) = static_cast<typename From::type>(Value);
+        return errc::ok;
+    }
+};
+
+/// A JAUS field that always has this value, left in `rest` and checked there; `Refusal` is the error for another one.
+template <class From, auto Value, errc Refusal = errc::reserved_value> struct constant_in_rest {
+    using uses = path_list<>;
+    using writes = path_list<>;
+    using checks_in_rest = From;
+    [[gnu::always_inline]] static constexpr errc to_packet(const auto& header, const auto&, sizes) noexcept {
+        return From::of(header) == static_cast<typename From::type>(Value) ? errc::ok : Refusal;
+    }
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto&, const auto&, sizes) noexcept {
+        return errc::ok;
+    }
+};
+
+/// A body has at least `Least` bytes.
+template <std::size_t Least> struct least_body {
+    using uses = path_list<>;
+    using writes = path_list<>;
+    [[gnu::always_inline]] static constexpr errc to_packet(const auto&, const auto&, sizes s) noexcept {
+        return s.body >= Least ? errc::ok : errc::truncated;
+    }
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto&, const auto&, sizes s) noexcept {
+        return s.body >= Least ? errc::ok : errc::truncated;
+    }
+};
+
 /// A packet field that the caller sets, such as a packet number.
 template <class To> struct caller_set {
     using uses = path_list<>;
@@ -147,16 +185,17 @@ template <class To> struct caller_set {
     }
 };
 
-/// The JAUS field that states the body's size: not carried, because the packet's data count determines it.
-template <class From> struct body_size {
+/// The JAUS field that states the size of the body and of `Header` bytes in front of it: not carried, because the
+/// packet's data count determines it.
+template <class From, std::size_t Header = 0> struct body_size {
     using uses = path_list<From>;
     using writes = path_list<>;
     using states_body_size = From;
     [[gnu::always_inline]] static constexpr errc to_packet(const auto& header, const auto&, sizes s) noexcept {
-        return From::of(header) == s.body ? errc::ok : errc::wrong_size;
+        return From::of(header) == Header + s.body ? errc::ok : errc::wrong_size;
     }
     [[gnu::always_inline]] static constexpr errc from_packet(const auto&, auto& header, sizes s) noexcept {
-        return detail::from_word(static_cast<std::uint32_t>(s.body), From::of(header));
+        return detail::from_word(static_cast<std::uint32_t>(Header + s.body), From::of(header));
     }
 };
 

@@ -64,6 +64,15 @@ struct states_body_size {
 struct counts_data {
     template <class Row> static constexpr bool is = requires { typename Row::counts_data; };
 };
+struct checks_in_rest { // fields that are in the rest, and are checked when the header is whole
+    template <class Row>
+    static constexpr bool is = [] {
+        if constexpr (requires { typename Row::states_body_size; })
+            return Row::uses::size == 0;
+        else
+            return requires { typename Row::checks_in_rest; };
+    }();
+};
 struct carries_rest {
     template <class Row> static constexpr bool is = requires { Row::carries_rest; };
 };
@@ -139,6 +148,19 @@ template <wire::fixed_message Header, wire::fixed_message Packet, std::size_t Ma
         static_cast<void>((((error = Rows::to_packet(header, packet, s)) == errc::ok) && ...));
         return error;
     }
+    /// Whether rows check fields that are in the rest.
+    static constexpr bool checks_rest = detail::rows_of_kind<detail::checks_in_rest, Rows...> != 0;
+    /// Applies these rows to a header that is whole.
+    [[gnu::always_inline]] static constexpr errc check_rest(const Header& header, const Packet& packet,
+                                                            sizes s) noexcept {
+        errc error = errc::ok;
+        const auto passes = [&]<class Row>(const Row*) {
+            if constexpr (detail::checks_in_rest::is<Row>) error = Row::to_packet(header, packet, s);
+            return error == errc::ok;
+        };
+        static_cast<void>((passes(static_cast<const Rows*>(nullptr)) && ...));
+        return error;
+    }
     /// Fills in what the rows make of `header`, and leaves alone what they cannot translate.
     static constexpr void prefill(const Header& header, Packet& packet, sizes s) noexcept {
         (static_cast<void>(Rows::to_packet(header, packet, s)), ...);
@@ -155,10 +177,23 @@ template <class Table>
 inline constexpr bool has_fixed_length =
     requires(const typename Table::header_type& header) { Table::object_size(header); };
 
+/// Most bytes behind `Header` in a message of the type `T`; wire::unbounded if it has no limit, or takes what follows
+/// it. To be specialised for a header that is not right in front of what the schema of `T` describes.
+template <class Header, wire::message T>
+inline constexpr std::size_t largest_body = wire::layout_of<T>::to_the_end ? wire::unbounded : wire::max_size<T>;
+
+/// The code of a message, which its schema states: `command_code`, or the `message_id` of SAE.
+template <class T>
+inline constexpr std::uint16_t code_of = [] {
+    if constexpr (requires { wire::schema<T>::message_id; })
+        return wire::schema<T>::message_id;
+    else
+        return wire::schema<T>::command_code;
+}();
+
 /// Most bytes of data that the message `T` takes where the table adds `Overhead` and a packet carries `MaxData`: all of
 /// `MaxData` for a message that has no limit, or takes what follows it.
-template <wire::message T, std::size_t Overhead, std::size_t MaxData>
-inline constexpr std::size_t largest_data =
-    wire::layout_of<T>::to_the_end ? MaxData : std::min(wire::total_size(Overhead, wire::max_size<T>), MaxData);
+template <class Header, wire::message T, std::size_t Overhead, std::size_t MaxData>
+inline constexpr std::size_t largest_data = std::min(wire::total_size(Overhead, largest_body<Header, T>), MaxData);
 
 } // namespace jauscat::translate

@@ -134,11 +134,11 @@ template <class Table> struct translator {
         });
         copy_body(in, s.body, message.data() + header_size);
 
-        if constexpr (Table::body_size_row::uses::size == 0) { // the size was in the rest: check it
-            // Not get_message, which may be a call: only one field is needed.
+        if constexpr (Table::checks_rest) {
+            // Not get_message, which may be a call: only some fields are needed.
             wire::layout_of<header_type>::get(header, {message.data(), 0},
                                               wire::object_scope{header, wire::plain_root{}});
-            if (const errc error = Table::body_size_row::to_packet(header, fields, s); error != errc::ok) return error;
+            if (const errc error = Table::check_rest(header, fields, s); error != errc::ok) return error;
         }
         return header_size + s.body;
     }
