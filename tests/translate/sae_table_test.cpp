@@ -15,7 +15,6 @@
 
 using namespace jauscat;
 using test::from_hex;
-using test::hex_of;
 using test::to_hex;
 using translate::errc;
 
