@@ -54,5 +54,6 @@ bool add_dispatch_benchmarks();
 bool add_path_benchmarks();
 bool add_image_benchmarks();
 bool add_route_benchmarks();
+bool add_sae_benchmarks();
 
 } // namespace bench
