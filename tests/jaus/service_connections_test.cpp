@@ -375,6 +375,57 @@ TEST_CASE("a late copy of a report is dropped after a silence, too, before and a
     }
 }
 
+TEST_CASE("a connection whose provider counts anew goes on although its first reports were lost") {
+    consumer c;
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
+    c.hear(from_hex(confirmation), 0s);
+    REQUIRE(c.report(200, 100ms).what == consumer_notice::report);
+    // Each request is confirmed at once, and three reports later the connection is stale again.
+    auto now = instant{100ms};
+    for (std::uint16_t number = 2; number != 9; ++number) {
+        now = now + 100ms;
+        if (*c.service.next_event() <= now) {
+            c.service.on_time(now, c.sent.sink());
+            REQUIRE(c.first().state == consumed_state::stale);
+            c.hear(from_hex(confirmation), now);
+        }
+        REQUIRE(c.report(number, now).what == consumer_notice::old_report);
+    }
+    REQUIRE(c.report(9, now + 50ms).what == consumer_notice::report);
+}
+
+TEST_CASE("a late report is not taken for the first one of a provider that counts anew") {
+    consumer c;
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
+    c.hear(from_hex(confirmation), 0s);
+    for (const unsigned number : {0U, 2U, 3U, 4U})
+        REQUIRE(c.report(static_cast<std::uint16_t>(number), 100ms).what == consumer_notice::report);
+    c.service.on_time(*c.service.next_event(), c.sent.sink());
+    REQUIRE(c.first().state == consumed_state::stale);
+    c.hear(from_hex(confirmation), 1s);
+    REQUIRE(c.report(1, 1s).what == consumer_notice::old_report);
+    REQUIRE(c.report(5, 1s).what == consumer_notice::report);
+}
+
+TEST_CASE("a late report of the count before is dropped after the provider has begun to count anew") {
+    consumer c;
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
+    c.hear(from_hex(confirmation), 0s);
+    REQUIRE(c.report(200, 100ms).what == consumer_notice::report);
+    c.service.on_time(*c.service.next_event(), c.sent.sink());
+    c.hear(from_hex(confirmation), 1s);
+    REQUIRE(c.report(0, 1s).what == consumer_notice::report);
+    REQUIRE(c.report(202, 1100ms).what == consumer_notice::old_report);
+    REQUIRE(c.report(1, 1100ms) == jaus::consumer_outcome{consumer_notice::report, 0, 0});
+    REQUIRE(c.first().dropped == 1);
+    SECTION("many reports in a row are none of them") {
+        for (std::uint16_t i = 40; i != 71; ++i) REQUIRE(c.report(i, 2s).what == consumer_notice::old_report);
+        REQUIRE(c.report(71, 2s).what == consumer_notice::report);
+        REQUIRE(c.report(72, 2s).what == consumer_notice::report);
+    }
+    SECTION("it does not last") { REQUIRE(c.report(40, 7s) == jaus::consumer_outcome{consumer_notice::report, 0, 38}); }
+}
+
 TEST_CASE("a consumer abandons requests that are refused or never answered") {
     consumer c;
     REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));

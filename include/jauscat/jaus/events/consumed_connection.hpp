@@ -24,20 +24,21 @@ enum class consumed_state : std::uint8_t {
 struct consumed_connection {
     address provider{}; ///< provider of the reports
     consumed_state state{};
-    std::uint8_t instance_id{};             ///< as confirmed
-    service_connection_response response{}; ///< of the last confirmation
-    bool confirmed{};                       ///< the instance ID is known
-    bool heard{};                           ///< `sequence_number` is that of a report
-    std::uint16_t sequence_number{};        ///< the highest so far
-    older_numbers older{};                  ///< than that
-    create_service_connection request{};    ///< as requested
-    double rate{};                          ///< hertz, as confirmed
-    time_point due{};                       ///< when to ask again, notice the silence, or be done
-    time_point asked_at{};                  ///< when a message was last sent to the provider
-    std::uint32_t requests{};               ///< that were not answered
-    std::uint64_t received{};               ///< reports in order
-    std::uint64_t lost{};                   ///< reports missing between those in order
-    std::uint64_t dropped{};                ///< duplicate and out-of-order reports
+    std::uint8_t instance_id{};               ///< as confirmed
+    service_connection_response response{};   ///< of the last confirmation
+    bool confirmed{};                         ///< the instance ID is known
+    bool heard{};                             ///< `sequence_number` is that of a report
+    std::uint16_t sequence_number{};          ///< the highest so far
+    older_numbers older{};                    ///< than that
+    time_point anew_until{time_point::min()}; ///< until then, reports of an earlier count may be late
+    create_service_connection request{};      ///< as requested
+    double rate{};                            ///< hertz, as confirmed
+    time_point due{};                         ///< when to ask again, notice the silence, or be done
+    time_point asked_at{};                    ///< when a message was last sent to the provider
+    std::uint32_t requests{};                 ///< that were not answered
+    std::uint64_t received{};                 ///< reports in order
+    std::uint64_t lost{};                     ///< reports missing between those in order
+    std::uint64_t dropped{};                  ///< duplicate and out-of-order reports
 };
 
 /// Meaning of a message to a consumer.

@@ -282,7 +282,8 @@ template <std::size_t Capacity> class event_consumer {
         // with the number of the last is a copy of it, or newer.
         const bool has_paused = now - e->heard_at >= retry_.interval;
         const bool is_after_gap = has_paused && (ahead == 0 || (ahead >= 128 && ahead < 192));
-        if (e->heard && !is_newer && !is_after_gap && !e->older.begins_anew(m.event_sequence_number)) {
+        if (e->heard && !is_newer && !is_after_gap &&
+            !e->older.begins_anew(m.event_sequence_number, static_cast<std::uint8_t>(-ahead))) {
             outcome.what = event_notice::repeated;
             return;
         }

@@ -199,10 +199,15 @@ template <std::size_t Capacity> class service_consumer {
     constexpr consumer_outcome count(consumed_connection& c, std::uint16_t number, std::size_t place,
                                      time_point now) noexcept {
         const auto ahead = static_cast<std::uint16_t>(number - c.sequence_number);
-        const bool newer = !c.heard || (ahead != 0 && ahead < 0x8000);
-        if (!newer && !c.older.begins_anew(number)) {
-            ++c.dropped;
-            return {consumer_notice::old_report, place};
+        // After the provider has begun to count anew, a large step is that of a late report of its earlier count.
+        const bool is_of_earlier_count = now < c.anew_until && ahead > older_numbers::most_late;
+        const bool newer = !c.heard || (ahead != 0 && ahead < 0x8000 && !is_of_earlier_count);
+        if (!newer) {
+            if (!c.older.begins_anew(number, static_cast<std::uint16_t>(-ahead))) {
+                ++c.dropped;
+                return {consumer_notice::old_report, place};
+            }
+            c.anew_until = saturating_add(now, options_.retry.total());
         }
         const std::uint64_t lost = c.heard && newer ? ahead - 1u : 0u;
         c.heard = true;
