@@ -56,16 +56,18 @@ class network final : public actor {
     void send(std::uint8_t from, std::uint8_t to, std::span<const std::byte> content, std::uint32_t message) {
         if (content.size() > sizeof datagram::bytes) return;
         tell(deed::sends, from, to, content, message);
-        if (is_cut(from, to) || world_.faults.strikes(fault::datagram_lost, 10'000)) {
+        if (is_cut(from, to) || strikes(fault::datagram_lost, 10'000)) {
             disturbed_[from * users_.size() + to] = world_.now();
             return tell(deed::loses, from, to, content, message);
         }
         put(from, to, content, message);
-        if (!world_.faults.strikes(fault::datagram_doubled, 10'000)) return;
+        if (!strikes(fault::datagram_doubled, 10'000)) return;
         disturbed_[from * users_.size() + to] = world_.now();
         tell(deed::doubles, from, to, content, message);
         put(from, to, content, message);
     }
+    /// While it is, nothing is lost, doubled or delayed.
+    void set_calm(bool is_calm) noexcept { is_calm_ = is_calm; }
     void give_back(const datagram& one) { free_.push_back(one.place); }
 
     /// Since when nothing gets from one port to the other, if that is so.
@@ -138,10 +140,13 @@ class network final : public actor {
                      .message = message,
                      .value = value});
     }
+    [[nodiscard]] bool strikes(fault kind, unsigned per_million) {
+        return !is_calm_ && world_.faults.strikes(kind, per_million);
+    }
     void put(std::uint8_t from, std::uint8_t to, std::span<const std::byte> content, std::uint32_t message) {
         time delay = world_.faults.random(fault::datagram_delayed)
                          .between(std::chrono::microseconds{100}, std::chrono::microseconds{400});
-        if (world_.faults.strikes(fault::datagram_delayed, 10'000)) {
+        if (strikes(fault::datagram_delayed, 10'000)) {
             delay = world_.faults.random(fault::datagram_delayed).between(std::chrono::milliseconds{1}, longest_delay);
             disturbed_[from * users_.size() + to] = world_.now() + delay;
             tell(deed::delays, from, to, content, message,
@@ -176,7 +181,7 @@ class network final : public actor {
     void part() {
         auto& random = world_.faults.random(fault::network_parted);
         world_.in(world_.faults.pause(fault::network_parted, mean_to_part), *this, to_part);
-        if (users_.size() < 2 || !world_.faults.strikes(fault::network_parted, 100'000)) return;
+        if (users_.size() < 2 || !strikes(fault::network_parted, 100'000)) return;
         const auto a = static_cast<std::uint8_t>(random.below(users_.size()));
         const auto b = static_cast<std::uint8_t>((a + 1 + random.below(users_.size() - 1)) % users_.size());
         set_cut(a, b);
@@ -197,6 +202,7 @@ class network final : public actor {
     }
 
     world& world_;
+    bool is_calm_{};
     std::vector<port_user*> users_{};
     std::vector<cut_state> cut_{};
     std::vector<time> pulse_{}, component_{}, disturbed_{};

@@ -199,7 +199,7 @@ int start(int argc, char** argv) {
         ("seed", po::value<std::uint64_t>(), "only this seed")
         ("from", po::value<std::uint64_t>(), "the first seed; without it a random one, which is printed")
         ("seconds", po::value<long>()->default_value(120), "simulated seconds of each seed")
-        ("system", po::value<std::string>()->default_value("any"), "jaus, mailbox, cyclic, mixed, drives, robot, clocks or joints; any: the seed says")
+        ("system", po::value<std::string>()->default_value("any"), "jaus, mailbox, cyclic, mixed, drives, robot, clocks, nodes or joints; any: the seed says")
         ("jobs", po::value<unsigned>()->default_value(std::max(std::thread::hardware_concurrency(), 1U)), "threads")
         ("only", po::value<std::vector<std::string>>(), "only this kind of fault; may be given several times")
         ("without", po::value<std::vector<std::string>>(), "without this kind of fault")
@@ -228,7 +228,8 @@ int start(int argc, char** argv) {
                    .each = {.length = std::chrono::seconds{values["seconds"].as<long>()}, .faults = faults_of(values)}};
     const auto system = system_of(values["system"].as<std::string>());
     if (!system)
-        throw std::runtime_error{"--system is any, jaus, mailbox, cyclic, mixed, drives, robot, clocks or joints"};
+        throw std::runtime_error{
+            "--system is any, jaus, mailbox, cyclic, mixed, drives, robot, clocks, nodes or joints"};
     chosen.each.system = *system;
     if (values.count("seed") != 0) {
         chosen.first_seed = values["seed"].as<std::uint64_t>();

@@ -3,6 +3,7 @@
 #include "simulation/bridge_program.hpp"
 #include "simulation/joint_system.hpp"
 #include "simulation/memory_watch.hpp"
+#include "simulation/node_system.hpp"
 #include "simulation/operators.hpp"
 #include "simulation/robot.hpp"
 
@@ -248,7 +249,7 @@ bool is_chatter(deed what) {
 
 namespace {
 constexpr std::array<std::string_view, 1 + system_count> system_names{"any",    "jaus",  "mailbox", "cyclic", "mixed",
-                                                                      "drives", "robot", "clocks",  "joints"};
+                                                                      "drives", "robot", "clocks",  "nodes",  "joints"};
 }
 
 std::string_view name_of(system_kind kind) { return system_names[static_cast<std::size_t>(kind)]; }
@@ -266,6 +267,9 @@ run_result run(const settings& what) {
     if (kind == system_kind::any) kind = static_cast<system_kind>(1 + w.stream(2000).below(system_count));
     if (kind == system_kind::jaus) {
         const jaus_system system{w, what};
+        w.run(what.length);
+    } else if (kind == system_kind::nodes) {
+        const auto system = make_node_system(w, what.absent);
         w.run(what.length);
     } else if (kind == system_kind::joints) {
         const auto trial = joint_trial_of(what.seed);

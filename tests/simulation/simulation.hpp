@@ -22,9 +22,10 @@ enum class system_kind : std::uint8_t {
     drives,  ///< a bridge with arms of 1 to 8 joints: up to 8 drives in a ring
     robot,   ///< a bridge with all of these in one ring
     clocks,  ///< a bridge with arms of drives that have SYNC signals of distributed clocks
+    nodes,   ///< nodes of two subsystems, with primaries or without, and their events and service connections
     joints,  ///< a joint with limits behind a component, without a network: its motor is judged
 };
-inline constexpr unsigned system_count = 8; ///< without `any`
+inline constexpr unsigned system_count = 9; ///< without `any`
 [[nodiscard]] std::string_view name_of(system_kind kind);
 [[nodiscard]] std::optional<system_kind> system_of(const std::string& name);
 
