@@ -1,5 +1,7 @@
 // Messages of SAE services, one for each construct of JSIDL: golden messages with damaged bytes, and random messages.
-#include "jsidl/golden.hpp"
+#include "support/catch.hpp"
+#include "support/hex.hpp"
+#include "support/paths.hpp"
 #include "support/random_message.hpp"
 #include <jauscat/schema/sae/core/events.hpp>
 #include <jauscat/schema/sae/core/list_manager.hpp>
@@ -9,6 +11,7 @@
 #include <jauscat/text/json.hpp>
 #include <jauscat/text/print.hpp>
 
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -62,11 +65,13 @@ template <wire::message T> bool require_error_or_message(std::span<const std::by
 }
 
 template <wire::message T> std::vector<std::vector<std::byte>> golden_of() {
-    static const auto all = golden_sae::vectors("urn:jaus:jss:");
     std::vector<std::vector<std::byte>> found;
-    for (const auto& one : all)
+    std::ifstream file{support::test_data("sae_vectors.jsonl")};
+    for (std::string line; std::getline(file, line);) {
+        const auto one = text::json::parse(line);
         if (std::stoi(one.at("code").get<std::string>(), nullptr, 16) == T::schema::message_id)
             found.push_back(jauscat::test::from_hex(one.at("hex").get<std::string>()));
+    }
     REQUIRE(!found.empty());
     return found;
 }
