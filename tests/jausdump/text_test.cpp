@@ -156,7 +156,7 @@ TEST_CASE("a wrong command line ends with exit code 2 and an explanation") {
     says("--code xyz", "'xyz' is no command code");
     says("--code 10405", "'10405' is no command code");
     says("--name wrnch", "no message has 'wrnch' in its name");
-    for (const auto* id : {"1.2.3.4.5", "1..3", "256", "0", "1.x", "1."})
+    for (const auto* id : {"1.2.3.4.5", "1..3", "65536", "1.256", "0", "1.x", "1."})
         says("--from " + std::string{id}, "is no JAUS ID");
     says("--payload-types 1,23", "'23' is no payload type code");
     says("--payload-types /nowhere", "cannot read /nowhere");

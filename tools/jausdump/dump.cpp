@@ -89,6 +89,7 @@ void dump::on_line(const std::string& line, std::size_t number) {
         message.error = fault{.error = read.error, .what = "line " + std::to_string(number) + ": " + read.what};
         return tell(message);
     }
+    if (options_.sae) return sae_.on_payload(read.bytes, message.origin);
     if (const auto form = jaus::foreign_form(read.bytes); !form.empty())
         return summary_.skip_foreign(std::string{form});
     take_datagram(read.bytes, message, false);
@@ -235,6 +236,7 @@ void dump::tell(const record& message) {
 }
 
 bool dump::finish() {
+    sae_.finish();
     for (const auto& set : data_sets_.places())
         if (set.packets != 0) summary_.lose_data_set();
     if (options_.format == format::text_lines)

@@ -4,6 +4,7 @@
 #include "filter.hpp"
 #include "object_table.hpp"
 #include "printer.hpp"
+#include "sae_messages.hpp"
 #include <jauscat/jaus/large_data/reassembler.hpp>
 
 namespace jausdump {
@@ -15,6 +16,7 @@ struct options {
     jausdump::format format{};
     jausdump::translation translation{};
     jausdump::filter filter{};
+    bool sae{}; ///< lines are payloads of SAE JAUS
     bool reencode{};
     bool hex{};          ///< bytes with offsets, in text
     bool summary_only{}; ///< print no messages
@@ -26,7 +28,7 @@ class dump {
   public:
     explicit dump(options how);
 
-    /// A line of hex digits: one message, decoded on its own with any flags.
+    /// A line of hex digits: one message, or with `sae` one payload, decoded on its own with any flags.
     void on_line(const std::string& line, std::size_t number);
     /// A UDP payload: a message, a packet of a large data set, or something else.
     void on_datagram(std::span<const std::byte> payload, const origin& from);
@@ -55,6 +57,9 @@ class dump {
     payload_directory payloads_;
     summary summary_{};
     bool heading_printed_{};
+    sae_messages sae_{{.text = options_.format == format::text_lines, .reencode = options_.reencode},
+                      [this](const record& message) { tell(message); },
+                      [this] { summary_.lose_data_set(); }};
 
     // 16 data sets of at most 1 MiB and 4096 packets; one that is silent for 10 seconds gives its place to another.
     std::vector<jaus::partial_data_set> places_ = std::vector<jaus::partial_data_set>(16);

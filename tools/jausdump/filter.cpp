@@ -1,5 +1,6 @@
 #include "filter.hpp"
 
+#include <jauscat/catalogue/sae.hpp>
 #include <jauscat/schema/jaus/catalog.hpp>
 
 #include <algorithm>
@@ -19,20 +20,34 @@ bool contains(const std::string& name, const std::string& part) { return name.fi
 } // namespace
 
 bool filter::passes(const record& message) const {
-    if (!message.head) return codes.empty() && names.empty() && from.empty() && to.empty();
-    const auto& head = *message.head;
-    return none_or_any(codes, [&](std::uint16_t code) { return code == head.command_code; }) &&
-           none_or_any(names, [&](const std::string& part) { return contains(snake_case(message.name), part); }) &&
-           none_or_any(from, [&](const address_pattern& pattern) { return pattern.matches(head.source); }) &&
-           none_or_any(to, [&](const address_pattern& pattern) { return pattern.matches(head.destination); });
+    const auto code = message.code();
+    const bool is_wanted = none_or_any(codes, [&](std::uint16_t wanted) { return code == wanted; }) &&
+                           (names.empty() || (code && none_or_any(names, [&](const std::string& part) {
+                                                  return contains(snake_case(message.name), part);
+                                              })));
+    const auto is_between = [&](const auto& head) {
+        return none_or_any(from, [&](const address_pattern& pattern) { return pattern.matches(head.source); }) &&
+               none_or_any(to, [&](const address_pattern& pattern) { return pattern.matches(head.destination); });
+    };
+    if (message.head) return is_wanted && is_between(*message.head);
+    if (message.sae && message.sae->header) return is_wanted && is_between(*message.sae->header);
+    return is_wanted && from.empty() && to.empty();
 }
 
 std::string snake_case(std::string_view standard_name) {
+    const auto is_upper = [&](std::size_t i) {
+        return i < standard_name.size() && std::isupper(static_cast<unsigned char>(standard_name[i])) != 0;
+    };
+    const auto is_lower = [&](std::size_t i) {
+        return i < standard_name.size() && std::islower(static_cast<unsigned char>(standard_name[i])) != 0;
+    };
     std::string name;
-    for (const char c : standard_name)
-        name += std::isalnum(static_cast<unsigned char>(c)) != 0
-                    ? static_cast<char>(std::tolower(static_cast<unsigned char>(c)))
-                    : '_';
+    for (std::size_t i = 0; i != standard_name.size(); ++i) {
+        const auto c = static_cast<unsigned char>(standard_name[i]);
+        // A word begins: "rC" of RequestControl, "SF" of GPSFix.
+        if (i != 0 && is_upper(i) && (is_lower(i - 1) || (is_upper(i - 1) && is_lower(i + 1)))) name += '_';
+        name += std::isalnum(c) != 0 ? static_cast<char>(std::tolower(c)) : '_';
+    }
     return name;
 }
 
@@ -50,7 +65,11 @@ std::uint16_t parse_code(const std::string& text) {
 std::string parse_name(const std::string& text) {
     auto name = snake_case(text);
     const auto has_it = [&](const jaus::catalog_entry& entry) { return contains(snake_case(entry.name), name); };
-    if (name != "unknown" && std::ranges::none_of(jaus::catalog, has_it))
+    const auto sae_has_it = [&](const jauscat::catalogue::entry& entry) {
+        return contains(std::string{entry.name()}, name);
+    };
+    if (name != "unknown" && std::ranges::none_of(jaus::catalog, has_it) &&
+        std::ranges::none_of(jauscat::catalogue::sae(), sae_has_it))
         throw std::invalid_argument{"no message has '" + text + "' in its name"};
     return name;
 }
@@ -58,19 +77,22 @@ std::string parse_name(const std::string& text) {
 address_pattern parse_pattern(const std::string& text) {
     address_pattern pattern;
     const auto wrong = [&] {
-        return std::invalid_argument{"'" + text +
-                                     "' is no JAUS ID: write subsystem.node.component.instance, each 1 to 255 or *, "
-                                     "and leave off what does not matter at the end"};
+        return std::invalid_argument{
+            "'" + text +
+            "' is no JAUS ID: write subsystem.node.component.instance, each 1 to 255 or * (the "
+            "subsystem of SAE JAUS, which has no instance, 1 to 65535), and leave off what "
+            "does not matter at the end"};
     };
     std::string_view rest{text};
     for (std::size_t i = 0;; ++i) {
         const auto part = rest.substr(0, rest.find('.'));
-        if (i == pattern.octet.size()) throw wrong();
+        if (i == pattern.part.size()) throw wrong();
         if (part != "*") {
-            std::uint8_t octet{};
-            const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), octet);
-            if (part.empty() || error != std::errc{} || end != part.data() + part.size() || octet == 0) throw wrong();
-            pattern.octet[i] = octet;
+            std::uint16_t number{};
+            const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
+            if (part.empty() || error != std::errc{} || end != part.data() + part.size() || number == 0) throw wrong();
+            if (i != 0 && number > 255) throw wrong();
+            pattern.part[i] = number;
         }
         if (part.size() == rest.size()) return pattern;
         rest.remove_prefix(part.size() + 1);

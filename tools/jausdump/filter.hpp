@@ -6,14 +6,22 @@
 
 namespace jausdump {
 
-/// A JAUS ID in which octets may be left open.
+/// A JAUS ID in which parts may be left open.
 struct address_pattern {
-    std::array<std::optional<std::uint8_t>, 4> octet{}; ///< subsystem, node, component, instance
+    std::array<std::optional<std::uint16_t>, 4> part{}; ///< subsystem, node, component, instance
 
     [[nodiscard]] bool matches(const jaus::address& id) const {
-        const std::array<std::uint8_t, 4> octets{id.subsystem, id.node, id.component, id.instance};
-        for (std::size_t i = 0; i != octet.size(); ++i)
-            if (octet[i] && *octet[i] != octets[i]) return false;
+        return matches(std::array<std::uint16_t, 4>{id.subsystem, id.node, id.component, id.instance});
+    }
+    /// A JAUS ID of SAE has no instance: a pattern with one does not match.
+    [[nodiscard]] bool matches(const sae::jaus_id& id) const {
+        return !part[3] && matches(std::array<std::uint16_t, 4>{id.subsystem, id.node, id.component, 0});
+    }
+
+  private:
+    [[nodiscard]] bool matches(const std::array<std::uint16_t, 4>& id) const {
+        for (std::size_t i = 0; i != part.size(); ++i)
+            if (part[i] && *part[i] != id[i]) return false;
         return true;
     }
 };
@@ -27,7 +35,7 @@ struct filter {
     [[nodiscard]] bool passes(const record& message) const;
 };
 
-/// `set_wrench_effort` for "Set Wrench Effort".
+/// `set_wrench_effort` for "Set Wrench Effort" and for "SetWrenchEffort".
 std::string snake_case(std::string_view standard_name);
 
 /// Parses the filter options; throws std::invalid_argument with the error.

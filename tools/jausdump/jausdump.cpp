@@ -25,7 +25,8 @@ constexpr const char* help = R"(jausdump: shows JAUS messages, field by field.
 
 Captures and ports: with or without JAUS01.0 in front of a message. Large data sets are reassembled, and payload data
 elements are decoded with the types of an earlier Report Payload Interface. Other datagrams are counted. Lines: each is
-decoded alone, regardless of its acknowledgement bits and data flag.
+decoded alone, regardless of its acknowledgement bits and data flag. With --sae each line is a payload of SAE JAUS, from
+its message ID on.
 
 EtherCAT (--ethercat): shows the messages in SDO transfers to and from the objects of JAUS components, in frames of
 EtherType 88A4h or in UDP at port 34980. A message is shown when its data are complete, a refusal with its abort code.
@@ -43,11 +44,13 @@ Examples:
   echo 0602050401210202012001010400220001000040 | jausdump --format json --reencode
   jausdump --format json --translate seed <messages.hex
   jausdump --payload-types 1,2,4,20 <payload.hex
+  echo 0d0023 | jausdump --sae --format json --reencode
 
 JSON: one object for each line, with message, code, header, presence_vector, fields; then hex (--reencode), packet
 (--translate, or the name of the error), error (error, field, and byte counted from the header), bytes (of a message
 that was not decoded), ignored_presence_bits (that stand for no field), dropped (bytes that no field holds), data_set,
-refusal (by, what, code, text), origin.
+refusal (by, what, code, text), origin. Of SAE JAUS the code is the message ID, header that of the transport or null,
+byte is counted from there or from the message ID, and generation "SAE" and payload_size stand before data_set.
 
 Exit code: 0 if all was decoded, 1 if a message was malformed, unknown or incomplete, 2 for a wrong command line or
 input that cannot be read.
@@ -139,6 +142,7 @@ jausdump::options options_from(const po::variables_map& values) {
                    .names = parsed(items_of(values, "name"), &parse_name),
                    .from = parsed(items_of(values, "from"), &parse_pattern),
                    .to = parsed(items_of(values, "to"), &parse_pattern)},
+        .sae = values.count("sae") != 0,
         .reencode = values.count("reencode") != 0,
         .hex = values.count("hex") != 0,
         .summary_only = values.count("summary") != 0,
@@ -230,6 +234,11 @@ int read_input(const po::variables_map& values) {
     const bool live = values.count("listen") != 0, file = values.count("capture") != 0;
     if (live && file) throw usage_error{"give either a capture or --listen PORT"};
     if (!live && values.count("join") != 0) throw usage_error{"--join needs --listen PORT"};
+    if (values.count("sae") != 0) {
+        if (live || file) throw usage_error{"--sae is for lines of hex: captures and ports show SAE JAUS without it"};
+        for (const std::string name : {"translate", "payload-types", "from", "to"})
+            if (values.count(name) != 0) throw usage_error{"--" + name + " does not go with --sae"};
+    }
     const auto table = object_table_from(values);
     if (!file && values.count("ethercat") != 0) throw usage_error{"--ethercat needs a capture"};
     jausdump::dump dump{options_from(values)};
@@ -261,6 +270,7 @@ int main(int argc, char** argv) {
             ("listen", po::value<std::uint16_t>(), "UDP port to receive on")
             ("join", po::value<std::vector<std::string>>(), "multicast group to join, with --listen")
             ("format", po::value<std::string>()->default_value("text"), "text or json")
+            ("sae", "lines of hex are payloads of SAE JAUS, each from its message ID on")
             ("hex", "show each message's bytes with their offsets too")
             ("reencode", "add the message encoded again from the decoded values")
             ("translate", po::value<std::string>(), "add the SDO download packet, by the table seed or self-contained")

@@ -51,6 +51,27 @@ std::string flags_text(const jaus::header& head) {
     return flags;
 }
 
+std::string flags_text(const sae::transport_header& head) {
+    std::string flags;
+    const auto add = [&](bool set, const std::string& what) {
+        if (set) flags += ", " + what;
+    };
+    add(head.acknowledgement == sae::acknowledgement::request, "wants ACK");
+    add(head.acknowledgement == sae::acknowledgement::ack, "ACK");
+    add(head.acknowledgement == sae::acknowledgement::nak, "NAK");
+    add(head.broadcast != sae::broadcast::none, "broadcast: " + text::to_text(head.broadcast));
+    add(head.fragment_flag != sae::fragment_flag::single, "packet: " + text::to_text(head.fragment_flag));
+    add(head.compression != sae::compression::none, "header compression: " + text::to_text(head.compression));
+    add(head.message_type != 0, "message type " + std::to_string(head.message_type));
+    add(head.priority != sae::priority::standard, "priority: " + text::to_text(head.priority));
+    return flags;
+}
+
+std::string code_text(const record& message) {
+    const auto code = message.code();
+    return code ? text::hex_number(*code, 4) : "-";
+}
+
 json address_object(const jaus::address& id) {
     return {{"subsystem", id.subsystem}, {"node", id.node}, {"component", id.component}, {"instance", id.instance}};
 }
@@ -67,6 +88,23 @@ json header_object(const jaus::header& head, std::size_t data_size) {
             {"data_flag", static_cast<int>(head.data_flag)},
             {"data_size", data_size},
             {"sequence_number", head.sequence_number}};
+}
+
+json address_object(const sae::jaus_id& id) {
+    return {{"subsystem", id.subsystem}, {"node", id.node}, {"component", id.component}};
+}
+
+json header_object(const sae::transport_header& head, std::uint16_t sequence_number, std::size_t size) {
+    return {{"message_type", head.message_type},
+            {"compression", static_cast<int>(head.compression)},
+            {"size", size},
+            {"priority", static_cast<int>(head.priority)},
+            {"broadcast", static_cast<int>(head.broadcast)},
+            {"acknowledgement", static_cast<int>(head.acknowledgement)},
+            {"fragment_flag", static_cast<int>(head.fragment_flag)},
+            {"destination", address_object(head.destination)},
+            {"source", address_object(head.source)},
+            {"sequence_number", sequence_number}};
 }
 
 json error_object(const fault& error) {
@@ -105,12 +143,22 @@ std::string to_text(const record& message, const palette& colour, bool with_byte
     const auto number = std::to_string(from.number);
     const auto time = from.time ? time_text(*from.time, "%H:%M:%S") : std::string{};
     std::string text;
-    if (message.head) {
-        const auto& head = *message.head;
+    if (message.is_message()) {
         const auto name = message.data_set.empty() ? message.name : message.name + " (" + message.data_set + ")";
-        text = columns(number, time, text::hex_number(head.command_code, 4), name,
-                       std::to_string(message.body().size()), text::to_text(head.source),
-                       text::to_text(head.destination), std::to_string(head.sequence_number) + flags_text(head));
+        std::string source, destination, sequence;
+        if (message.head) {
+            const auto& head = *message.head;
+            source = text::to_text(head.source);
+            destination = text::to_text(head.destination);
+            sequence = std::to_string(head.sequence_number) + flags_text(head);
+        } else if (message.sae->header) {
+            const auto& head = *message.sae->header;
+            source = sae::jaus_id_text{head.source}.view();
+            destination = sae::jaus_id_text{head.destination}.view();
+            sequence = std::to_string(message.sae->sequence_number) + flags_text(head);
+        }
+        text = columns(number, time, code_text(message), name, std::to_string(message.body().size()), source,
+                       destination, sequence);
         if (const auto at = text.find(name); !name.empty() && at != std::string::npos)
             text.insert(at + name.size(), colour.end).insert(at, colour.bold);
     } else {
@@ -150,6 +198,15 @@ std::string to_json_line(const record& message) {
         object["header"] = header_object(*message.head, message.data_set == "reassembled" ? message.body().size()
                                                                                           : message.head->data_size);
     }
+    if (message.sae && message.is_message()) {
+        const auto& sae = *message.sae;
+        object["message"] = message.name;
+        if (message.code()) object["code"] = code_text(message);
+        if (sae.header)
+            object["header"] =
+                header_object(*sae.header, sae.sequence_number,
+                              message.data_set == "reassembled" ? message.bytes.size() : sae.header->size);
+    }
     object["presence_vector"] = message.presence_vector;
     object["fields"] = message.fields;
     if (message.hex) object["hex"] = *message.hex;
@@ -160,6 +217,10 @@ std::string to_json_line(const record& message) {
         object["bytes"] = text::detail::plain_hex(message.bytes);
     if (message.ignored_bits != 0) object["ignored_presence_bits"] = text::hex_number(message.ignored_bits, 1);
     if (message.dropped != 0) object["dropped"] = message.dropped;
+    if (message.sae) {
+        object["generation"] = "SAE";
+        object["payload_size"] = message.body().size();
+    }
     if (!message.data_set.empty()) object["data_set"] = message.data_set;
     json from{{message.origin.place, message.origin.number}};
     if (message.origin.time) from["time"] = time_text(*message.origin.time, "%Y-%m-%dT%H:%M:%S") + "Z";
@@ -176,8 +237,7 @@ void summary::add(const record& message) {
         return;
     }
     const bool bad = message.kind == kind::unknown || message.kind == kind::broken;
-    const auto code = message.head ? text::hex_number(message.head->command_code, 4) : "-";
-    auto& line = by_type_[{code, message.head ? message.name : "not a message"}];
+    auto& line = by_type_[{code_text(message), message.is_message() ? message.name : "not a message"}];
     ++line.count;
     line.bytes += message.bytes.size();
     line.not_decoded += bad ? 1 : 0;

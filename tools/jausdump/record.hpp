@@ -1,6 +1,7 @@
 // What is known of one message, before it is printed.
 #pragma once
 #include <jauscat/jaus/message/message.hpp>
+#include <jauscat/sae/transport/message.hpp>
 #include <jauscat/text/json.hpp>
 
 #include <chrono>
@@ -14,6 +15,7 @@
 namespace jausdump {
 
 namespace jaus = jauscat::jaus;
+namespace sae = jauscat::sae;
 namespace text = jauscat::text;
 namespace wire = jauscat::wire;
 using text::json;
@@ -48,14 +50,23 @@ struct fault {
     std::string what{};                ///< readable text
 };
 
+/// Parts of a message of SAE JAUS.
+struct sae_parts {
+    std::optional<sae::transport_header> header{}; ///< empty for a payload alone
+    std::uint16_t sequence_number{};
+    std::optional<std::uint16_t> message_id{}; ///< empty where the payload does not begin with one
+    std::size_t payload_begin{}, payload_size{};
+};
+
 enum class kind { decoded, acknowledgement, part, unknown, broken, refused };
 
 struct record {
     jausdump::origin origin{};
     jausdump::kind kind{};
-    std::vector<std::byte> bytes{}; ///< header and body
-    std::optional<jaus::header> head{};
-    std::string name{"unknown"}; ///< the standard's
+    std::vector<std::byte> bytes{};     ///< header and body
+    std::optional<jaus::header> head{}; ///< of a message of the RA
+    std::optional<sae_parts> sae{};     ///< of a message of SAE JAUS
+    std::string name{"unknown"};        ///< the standard's
     json presence_vector{};
     json fields{};
     std::string text{};                  ///< the fields, a line each
@@ -67,9 +78,18 @@ struct record {
     std::size_t dropped{};  ///< bytes that the decoded values do not hold: of presence bits that the layout lacks
     std::string data_set{}; ///< what became of a packet of a large data set, or "reassembled"
 
+    /// Of SAE JAUS the payload.
     [[nodiscard]] std::span<const std::byte> body() const {
+        if (sae) return std::span{bytes}.subspan(sae->payload_begin, sae->payload_size);
         return std::span{bytes}.subspan(std::min(bytes.size(), jaus::header_size));
     }
+    /// Command code or message ID.
+    [[nodiscard]] std::optional<std::uint16_t> code() const {
+        if (head) return head->command_code;
+        return sae ? sae->message_id : std::nullopt;
+    }
+    /// Whether it has what identifies a message.
+    [[nodiscard]] bool is_message() const { return head || (sae && (sae->header || sae->message_id)); }
 };
 
 } // namespace jausdump
