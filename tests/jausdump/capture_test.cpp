@@ -136,18 +136,19 @@ TEST_CASE("frames of every link type hold messages, with and without the prefix"
     }
 }
 
-TEST_CASE("a capture whose messages are all of SAE JAUS says so, with exit code 1") {
+TEST_CASE("a capture with AS5669-2007 and header compression alone says so, with exit code 1") {
     const scratch files;
-    const auto sae = ethernet_frame(udp_packet("02 00 1000 01 01010100 02010100 0220 0000"));
-    write_capture(files / "capture", dump_test::link_ethernet, {sae, sae});
+    const auto compressed = ethernet_frame(udp_packet("01 4000 0002 aabb"));
+    write_capture(files / "capture", dump_test::link_ethernet, {compressed, compressed});
     const auto result = run(files / "capture");
     CHECK(result.code == 1);
-    CHECK(result.says("no message of RA 3.3: 2 datagrams are SAE JAUS (AS5669A, version 2), which is not supported\n"));
-    // Beside messages of RA 3.3 they are counted.
-    write_capture(files / "capture", dump_test::link_ethernet, {sae, ethernet_frame(udp_packet(status))});
+    CHECK(result.says("no message was decoded: 2 datagrams are AS5669-2007 with header compression, which is not "
+                      "supported\n"));
+    // Beside other messages they are counted.
+    write_capture(files / "capture", dump_test::link_ethernet, {compressed, ethernet_frame(udp_packet(status))});
     const auto mixed = run(files / "capture");
     CHECK(mixed.code == 0);
-    CHECK(mixed.says("\n1 datagram is SAE JAUS (AS5669A, version 2), which is not supported\n"));
+    CHECK(mixed.says("\n1 datagram is AS5669-2007 with header compression, which is not supported\n"));
 }
 
 TEST_CASE("IPv4 fragments are put together, in any order") {

@@ -118,6 +118,22 @@ TEST_CASE("messages at a port are shown as JSON with the sender's address; an un
     REQUIRE(object.at("origin").at("time").get<std::string>().size() == 27);
 }
 
+TEST_CASE("messages of SAE JAUS and of the RA at one port are shown on arrival") {
+    listening_program program{{"--format", "json"}};
+    program.send("02 00 1100 01 06050400 03020100 0d0023 0700");
+    program.send(status);
+    program.wait_for_output("\"packet\":2");
+    REQUIRE(program.end(SIGINT) == 0);
+    std::istringstream lines{program.output()};
+    std::vector<dump_test::json> shown;
+    for (std::string line; std::getline(lines, line);) shown.push_back(dump_test::json::parse(line));
+    REQUIRE(shown.size() == 2);
+    CHECK(shown[0].at("message") == "RequestControl");
+    CHECK(shown[0].at("fields") == dump_test::json{{"authority_code", 35}});
+    CHECK(shown[0].at("origin").at("from").get<std::string>().starts_with("127.0.0.1:"));
+    CHECK(shown[1].at("message") == "Report Component Status");
+}
+
 TEST_CASE("messages of a running program are captured where it has the port") {
     boost::asio::io_context context;
     const auto loopback = boost::asio::ip::address_v4::loopback();

@@ -5,6 +5,7 @@
 #include "support/output.hpp"
 #include <jauscat/jaus/message/framing.hpp>
 #include <jauscat/jaus/message/ignored_bits.hpp>
+#include <jauscat/sae/transport/judp.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/text/annotate.hpp>
 #include <jauscat/translate/translator.hpp>
@@ -58,6 +59,15 @@ std::string why_no_message(std::span<const std::byte> datagram) {
     return {};
 }
 
+/// Whether a datagram is a message of SAE JAUS that is shorter than it states.
+bool is_cut_sae_message(std::span<const std::byte> datagram) {
+    if (!sae::is_judp2(datagram)) return false;
+    const auto message = datagram.subspan(1);
+    sae::transport_header head{};
+    return wire::decode_prefix(head, message) && head.message_type == 0 && head.compression == sae::compression::none &&
+           head.size > message.size() && names_one_component(head.source);
+}
+
 template <class Table> std::string packet_of(std::span<const std::byte> message) {
     using translator = translate::translator<Table>;
     std::array<std::byte, translator::max_packet_size> packet{};
@@ -90,15 +100,23 @@ void dump::on_line(const std::string& line, std::size_t number) {
         return tell(message);
     }
     if (options_.sae) return sae_.on_payload(read.bytes, message.origin);
+    if (jaus::form_of(read.bytes) == jaus::datagram_form::judp2)
+        return sae_.on_messages(std::span{read.bytes}.subspan(1), message.origin);
     if (const auto form = jaus::foreign_form(read.bytes); !form.empty())
         return summary_.skip_foreign(std::string{form});
     take_datagram(read.bytes, message, false);
 }
 
 void dump::on_datagram(std::span<const std::byte> payload, const origin& from) {
+    if (jaus::form_of(payload) == jaus::datagram_form::judp2) {
+        if (sae::split(payload.subspan(1)).error == sae::transport_errc::invalid_source)
+            return on_skipped("not JAUS: no component is the source");
+        return sae_.on_messages(payload.subspan(1), from);
+    }
     if (const auto form = jaus::foreign_form(payload); !form.empty()) return summary_.skip_foreign(std::string{form});
     if (jaus::remove_framing(payload).how == jaus::framing::bare)
-        if (const auto reason = why_no_message(payload); !reason.empty()) return on_skipped(reason);
+        if (const auto reason = why_no_message(payload); !reason.empty())
+            return is_cut_sae_message(payload) ? sae_.on_messages(payload.subspan(1), from) : on_skipped(reason);
     take_datagram(payload, {.origin = from}, true);
 }
 

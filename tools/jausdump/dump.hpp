@@ -30,7 +30,7 @@ class dump {
 
     /// A line of hex digits: one message, or with `sae` one payload, decoded on its own with any flags.
     void on_line(const std::string& line, std::size_t number);
-    /// A UDP payload: a message, a packet of a large data set, or something else.
+    /// A UDP payload: messages of the RA or of SAE JAUS, a packet of a large data set, or something else.
     void on_datagram(std::span<const std::byte> payload, const origin& from);
     /// A message that an object of an EtherCAT slave stood for.
     void on_object(std::span<const std::byte> bytes, const origin& from);

@@ -23,7 +23,8 @@ constexpr const char* help = R"(jausdump: shows JAUS messages, field by field.
                                     the port, what passes it is captured (as root, or with CAP_NET_RAW)
   jausdump [options]                lines of hex digits on standard input, one message each
 
-Captures and ports: with or without JAUS01.0 in front of a message. Large data sets are reassembled, and payload data
+Captures and ports: messages of RA 3.3 (with or without JAUS01.0 in front, or of AS5669-2007) and of SAE services
+(AS5669A), also mixed at one port. Large data sets and messages of several packets are reassembled, and payload data
 elements are decoded with the types of an earlier Report Payload Interface. Other datagrams are counted. Lines: each is
 decoded alone, regardless of its acknowledgement bits and data flag. With --sae each line is a payload of SAE JAUS, from
 its message ID on.

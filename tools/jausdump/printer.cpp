@@ -276,7 +276,7 @@ std::string summary::text(const palette& colour) const {
     for (const auto& [reason, count] : refused_) text += std::to_string(count) + " refused: " + reason + "\n";
     for (const auto& [reason, count] : skipped_) text += std::to_string(count) + " skipped: " + reason + "\n";
     for (const auto& [form, count] : foreign_)
-        text += (by_kind_.empty() ? "no message of RA 3.3: " : "") + std::to_string(count) +
+        text += (by_kind_.empty() ? "no message was decoded: " : "") + std::to_string(count) +
                 (count == 1 ? " datagram is " : " datagrams are ") + form + "\n";
     return text;
 }

@@ -119,7 +119,10 @@ void sae_messages::on_message(const sae::split_transport_message& message, std::
     }
     const bool continues = message.header.fragment_flag == sae::fragment_flag::middle ||
                            message.header.fragment_flag == sae::fragment_flag::last;
-    if (message.error != sae::transport_errc::compressed && !continues) identify(made);
+    if (continues)
+        made.name = "packet";
+    else if (message.error != sae::transport_errc::compressed)
+        identify(made);
     if (!message) {
         made.kind = kind::broken;
         made.error = fault_of(message.error);
@@ -135,6 +138,7 @@ void sae_messages::decode(record& message) const {
     const auto payload = message.body();
     if (payload.empty() && sae.header && is_acknowledgement(*sae.header)) {
         message.kind = kind::acknowledgement;
+        message.name = "acknowledgement";
         if (how_.reencode) message.hex = encoded_again(message, {});
         return;
     }
