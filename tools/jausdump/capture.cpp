@@ -33,7 +33,7 @@ template <class Header> Header take(bytes& rest, const char* name) {
 
 constexpr std::uint16_t ether_type_ipv4 = 0x0800;
 constexpr std::uint16_t ether_type_provider_vlan = 0x88A8;
-constexpr std::uint8_t protocol_udp = 17;
+constexpr std::uint8_t protocol_tcp = 6, protocol_udp = 17;
 constexpr std::uint16_t ethercat_port = jauscat::ethercat::ether_type_ethercat;
 
 /// Of the loopback interface of Linux, which a packet passes twice.
@@ -102,38 +102,54 @@ std::string endpoint(const std::array<std::byte, 4>& ip, std::uint16_t port) {
     return text + ":" + std::to_string(port);
 }
 
-struct udp_datagram {
-    bool ethercat{}; ///< by its port
-    bytes payload{};
-    std::vector<std::byte> of_fragments{}; ///< what `payload` is in, where it came in several packets
+struct ip_payload {
+    ipv4_header head{};
+    bytes content{};
+    std::vector<std::byte> of_fragments{}; ///< what `content` is in, where it came in several packets
 };
 
-/// The UDP datagram of an IPv4 packet, or the one that this fragment completes; fills in the ends of `from`.
-std::optional<udp_datagram> udp_datagram_of(bytes packet, origin& from, ip_fragments& fragments) {
+/// What an IPv4 packet carries, or what this fragment completes.
+std::optional<ip_payload> ip_payload_of(bytes packet, bool with_tcp, ip_fragments& fragments) {
     const bytes whole = packet;
     const auto ip = take<ipv4_header>(packet, "IPv4");
     const std::size_t header_size = std::size_t{ip.words} * 4;
     if (ip.version != 4) throw useless{"not IPv4: IP version " + std::to_string(ip.version)};
     if (header_size < wire::min_size<ipv4_header> || header_size > ip.total_size) throw useless{"broken IPv4 header"};
-    if (ip.protocol != protocol_udp) throw useless{"not UDP: IP protocol " + std::to_string(ip.protocol)};
+    if (ip.protocol != protocol_udp && !(with_tcp && ip.protocol == protocol_tcp))
+        throw useless{"not UDP: IP protocol " + std::to_string(ip.protocol)};
     if (ip.total_size > whole.size()) throw useless{"not captured to its end"};
 
-    udp_datagram made{};
-    bytes datagram = whole.subspan(header_size, ip.total_size - header_size);
+    ip_payload made{.head = ip, .content = whole.subspan(header_size, ip.total_size - header_size)};
     if (ip.more_fragments || ip.fragment_offset != 0) {
-        auto complete = fragments.add(ip, datagram);
+        auto complete = fragments.add(ip, made.content);
         if (!complete) return std::nullopt;
         made.of_fragments = *std::move(complete);
-        datagram = made.of_fragments;
+        made.content = made.of_fragments;
     }
+    return made;
+}
+
+/// Passes the payload of a UDP datagram on; fills in the ends of `from`.
+void take_udp(const ip_payload& ip, origin& from, const capture_listener& listener) {
+    bytes datagram = ip.content;
     const auto udp = take<udp_header>(datagram, "UDP");
     if (udp.size < wire::min_size<udp_header> || udp.size - wire::min_size < udp_header >> datagram.size())
         throw useless{"broken UDP header"};
-    from.from = endpoint(ip.source, udp.source_port);
-    from.to = endpoint(ip.destination, udp.destination_port);
-    made.ethercat = udp.source_port == ethercat_port || udp.destination_port == ethercat_port;
-    made.payload = datagram.first(udp.size - wire::min_size<udp_header>);
-    return made;
+    from.from = endpoint(ip.head.source, udp.source_port);
+    from.to = endpoint(ip.head.destination, udp.destination_port);
+    const bool ethercat =
+        listener.ethercat && (udp.source_port == ethercat_port || udp.destination_port == ethercat_port);
+    (ethercat ? listener.ethercat : listener.datagram)(datagram.first(udp.size - wire::min_size<udp_header>), from);
+}
+
+void take_tcp(const ip_payload& ip, origin& from, const capture_listener& listener) {
+    bytes rest = ip.content;
+    const auto tcp = take<tcp_header>(rest, "TCP");
+    const std::size_t header_size = std::size_t{tcp.words} * 4;
+    if (header_size < wire::min_size<tcp_header> || header_size > ip.content.size()) throw useless{"broken TCP header"};
+    from.from = endpoint(ip.head.source, tcp.source_port);
+    from.to = endpoint(ip.head.destination, tcp.destination_port);
+    listener.tcp({tcp.sequence_number, tcp.synchronises, ip.content.subspan(header_size)}, from);
 }
 
 void hand_over(const packet& found, origin& from, const capture_listener& listener, ip_fragments& fragments) {
@@ -143,10 +159,8 @@ void hand_over(const packet& found, origin& from, const capture_listener& listen
     }
     if (found.ether_type != ether_type_ipv4)
         throw useless{"not IPv4: EtherType " + text::hex_number(found.ether_type, 4)};
-    const auto datagram = udp_datagram_of(found.data, from, fragments);
-    if (!datagram) return;
-    const bool ethercat = datagram->ethercat && listener.ethercat;
-    (ethercat ? listener.ethercat : listener.datagram)(datagram->payload, from);
+    const auto carried = ip_payload_of(found.data, static_cast<bool>(listener.tcp), fragments);
+    if (carried) (carried->head.protocol == protocol_udp ? take_udp : take_tcp)(*carried, from, listener);
 }
 
 std::chrono::nanoseconds time_of(const timeval& when) {
@@ -230,7 +244,8 @@ port_capture::port_capture(std::uint16_t port) : packets_{nullptr, &pcap_close} 
     pcap_set_tstamp_precision(packets, PCAP_TSTAMP_PRECISION_NANO);
     require(pcap_activate(packets) >= 0);
     bpf_program filter{};
-    const auto wanted = "udp port " + std::to_string(port) + " or (ip proto 17 and ip[6:2] & 0x1fff != 0)";
+    const auto wanted = "udp port " + std::to_string(port) + " or tcp port " + std::to_string(port) +
+                        " or (ip proto 17 and ip[6:2] & 0x1fff != 0)";
     require(pcap_compile(packets, &filter, wanted.c_str(), 1, PCAP_NETMASK_UNKNOWN) == 0);
     const int filtered = pcap_setfilter(packets, &filter);
     pcap_freecode(&filter);

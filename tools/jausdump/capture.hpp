@@ -1,6 +1,6 @@
-// UDP payloads and EtherCAT frames out of a capture, of a file or as packets pass.
+// UDP payloads, TCP segments and EtherCAT frames out of a capture, of a file or as packets pass.
 #pragma once
-#include "record.hpp"
+#include "jtcp_streams.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -13,6 +13,7 @@ namespace jausdump {
 /// Receives the content of a capture.
 struct capture_listener {
     std::function<void(std::span<const std::byte> payload, const origin&)> datagram{};
+    std::function<void(const tcp_segment&, const origin&)> tcp{}; ///< not set: passed over
     /// An EtherCAT frame, its EtherCAT header on: of Ethernet, or the payload of UDP port 34980. Not set: passed over.
     std::function<void(std::span<const std::byte> frame, const origin&)> ethercat{};
     std::function<void(const std::string& reason)> skipped{}; ///< a frame with neither
@@ -25,7 +26,8 @@ struct capture_listener {
 /// has been passed on by then.
 void read_capture(const std::string& path, const capture_listener& listener);
 
-/// The datagrams from and to a UDP port of this machine as they pass, at all interfaces, whoever has the port.
+/// The datagrams and TCP segments from and to a port of this machine as they pass, at all interfaces, whoever has the
+/// port.
 class port_capture {
   public:
     /// Throws input_error: that needs CAP_NET_RAW.

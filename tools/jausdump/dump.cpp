@@ -120,6 +120,12 @@ void dump::on_datagram(std::span<const std::byte> payload, const origin& from) {
     take_datagram(payload, {.origin = from}, true);
 }
 
+void dump::on_serial_frame(const sae::serial_frame& frame, const origin& from) {
+    if (frame.error == sae::transport_errc::noise) return on_skipped(std::string{describe(frame.error)});
+    if (frame) return sae_.on_messages(frame.message, from);
+    sae_.on_message({.error = frame.error}, {}, from);
+}
+
 void dump::take_datagram(std::span<const std::byte> datagram, const record& as, bool network) {
     auto part = jaus::remove_framing(datagram);
     for (;; part = jaus::next_message(part)) {

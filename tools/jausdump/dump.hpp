@@ -6,6 +6,7 @@
 #include "printer.hpp"
 #include "sae_messages.hpp"
 #include <jauscat/jaus/large_data/reassembler.hpp>
+#include <jauscat/sae/transport/jserial.hpp>
 
 namespace jausdump {
 
@@ -32,6 +33,13 @@ class dump {
     void on_line(const std::string& line, std::size_t number);
     /// A UDP payload: messages of the RA or of SAE JAUS, a packet of a large data set, or something else.
     void on_datagram(std::span<const std::byte> payload, const origin& from);
+    /// A message of SAE JAUS of a TCP stream. `part`: its bytes, also where its end is unknown.
+    void on_sae_message(const sae::split_transport_message& message, std::span<const std::byte> part,
+                        const origin& from) {
+        sae_.on_message(message, part, from);
+    }
+    /// A frame of a serial line.
+    void on_serial_frame(const sae::serial_frame& frame, const origin& from);
     /// A message that an object of an EtherCAT slave stood for.
     void on_object(std::span<const std::byte> bytes, const origin& from);
     /// The data of a component's object that are no message.

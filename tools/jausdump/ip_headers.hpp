@@ -1,4 +1,4 @@
-// Headers before a UDP payload in a capture: link layers, IPv4, UDP.
+// Headers before a payload in a capture: link layers, IPv4, UDP, TCP.
 #pragma once
 #include <jauscat/schema/ethercat/frame.hpp>
 #include <jauscat/wire/schema.hpp>
@@ -45,6 +45,22 @@ struct udp_header {
     std::uint16_t destination_port{};
     std::uint16_t size{}; ///< bytes with this header
     std::uint16_t checksum{};
+};
+
+/// TCP, RFC 9293: 20 bytes, then options.
+struct tcp_header {
+    std::uint16_t source_port{};
+    std::uint16_t destination_port{};
+    std::uint32_t sequence_number{};
+    std::uint32_t acknowledged{};
+    std::uint8_t unused{};
+    std::uint8_t words{}; ///< of this header with its options, each 4 bytes
+    bool finishes{};
+    bool synchronises{};
+    std::uint8_t other_flags{};
+    std::uint16_t window{};
+    std::uint16_t checksum{};
+    std::uint16_t urgent{};
 };
 
 } // namespace jausdump
@@ -98,6 +114,25 @@ template <> struct wire::schema<jausdump::udp_header> {
         field<&T::destination_port, u16be>,
         field<&T::size, u16be>,
         field<&T::checksum, u16be>>;
+};
+
+template <> struct wire::schema<jausdump::tcp_header> {
+    using T = jausdump::tcp_header;
+    using type = layout<
+        field<&T::source_port, u16be>,
+        field<&T::destination_port, u16be>,
+        field<&T::sequence_number, u32be>,
+        field<&T::acknowledged, u32be>,
+        bit_fields<u8,
+            bit_field<&T::unused, 4>,
+            bit_field<&T::words, 4>>,
+        bit_fields<u8,
+            bit_field<&T::finishes, 1>,
+            bit_field<&T::synchronises, 1>,
+            bit_field<&T::other_flags, 6>>,
+        field<&T::window, u16be>,
+        field<&T::checksum, u16be>,
+        field<&T::urgent, u16be>>;
 };
 
 } // namespace jauscat

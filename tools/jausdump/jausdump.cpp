@@ -4,6 +4,7 @@
 #include "ethercat_reader.hpp"
 #include "input_lines.hpp"
 #include "listener.hpp"
+#include "serial_file.hpp"
 #include "support/program.hpp"
 
 #include <fstream>
@@ -17,17 +18,18 @@ using example::usage_error;
 
 constexpr const char* help = R"(jausdump: shows JAUS messages, field by field.
 
-  jausdump [options] CAPTURE        a file of tcpdump or Wireshark: UDP over IPv4, any port
+  jausdump [options] CAPTURE        a file of tcpdump or Wireshark: UDP and TCP over IPv4, any port
   jausdump [options] -              the same from standard input
   jausdump [options] --listen PORT  messages as they arrive, until Ctrl-C; where another program of this machine has
                                     the port, what passes it is captured (as root, or with CAP_NET_RAW)
+  jausdump [options] --jserial FILE  the bytes of a serial line with SAE JAUS: a file, a device, or - for standard input
   jausdump [options]                lines of hex digits on standard input, one message each
 
 Captures and ports: messages of RA 3.3 (with or without JAUS01.0 in front, or of AS5669-2007) and of SAE services
-(AS5669A), also mixed at one port. Large data sets and messages of several packets are reassembled, and payload data
-elements are decoded with the types of an earlier Report Payload Interface. Other datagrams are counted. Lines: each is
-decoded alone, regardless of its acknowledgement bits and data flag. With --sae each line is a payload of SAE JAUS, from
-its message ID on.
+(AS5669A), also mixed at one port. TCP streams of SAE JAUS (JTCP) are put together. Large data sets and messages of
+several packets are reassembled, and payload data elements are decoded with the types of an earlier Report Payload
+Interface. Other datagrams are counted. Lines: each is decoded alone, regardless of its acknowledgement bits and data
+flag. With --sae each line is a payload of SAE JAUS, from its message ID on.
 
 EtherCAT (--ethercat): shows the messages in SDO transfers to and from the objects of JAUS components, in frames of
 EtherType 88A4h or in UDP at port 34980. A message is shown when its data are complete, a refusal with its abort code.
@@ -45,6 +47,7 @@ Examples:
   echo 0602050401210202012001010400220001000040 | jausdump --format json --reencode
   jausdump --format json --translate seed <messages.hex
   jausdump --payload-types 1,2,4,20 <payload.hex
+  jausdump --jserial line.bin --summary
   echo 0d0023 | jausdump --sae --format json --reencode
 
 JSON: one object for each line, with message, code, header, presence_vector, fields; then hex (--reencode), packet
@@ -183,6 +186,26 @@ void read_lines(jausdump::dump& dump) {
     jausdump::read_input_lines([&](const std::string& line) { dump.on_line(line, ++number); }, stopped);
 }
 
+jausdump::jtcp_streams streams_of(jausdump::dump& dump) {
+    return jausdump::jtcp_streams{
+        {.message = [&](const auto& message, auto part, const auto& from) { dump.on_sae_message(message, part, from); },
+         .skipped = [&](const std::string& reason) { dump.on_skipped(reason); }}};
+}
+
+/// The bytes of a serial line.
+void read_serial(jausdump::dump& dump, const std::string& path) {
+    std::vector<std::byte> memory(0xFFFF);
+    jauscat::sae::jserial_reader frames{memory};
+    jausdump::origin from{.place = "frame"};
+    const auto take = [&](const jauscat::sae::serial_frame& frame) {
+        if (frame.error != jauscat::sae::transport_errc::noise) ++from.number;
+        dump.on_serial_frame(frame, from);
+    };
+    jausdump::read_bytes(path, [&](auto part) { frames.on_bytes(part, take); }, stopped);
+    // The beginning of another frame shows one that is cut off.
+    frames.on_bytes(std::array{std::byte{0x10}, std::byte{0x01}}, take);
+}
+
 void read_file(jausdump::dump& dump, const std::string& path, const jausdump::object_table& table) {
     progress shown;
     const auto skipped = [&](const std::string& reason) { dump.on_skipped(reason); };
@@ -198,15 +221,19 @@ void read_file(jausdump::dump& dump, const std::string& path, const jausdump::ob
          .refused = [&](const auto& head, const auto& why, const auto& from) { dump.on_refused(head, why, from); },
          .lost = [&] { dump.on_lost_transfer(); },
          .skipped = skipped}};
+    jausdump::jtcp_streams streams = streams_of(dump);
+    listener.tcp = [&](const auto& segment, const auto& from) { streams.on_segment(segment, from); };
     const bool wants_ring = table.table != jausdump::translation::none;
     if (wants_ring) listener.ethercat = [&](auto frame, const auto& from) { ring.read(frame, from); };
     try {
         jausdump::read_capture(path, listener);
     } catch (const jausdump::input_error&) {
+        streams.finish();
         ring.finish();
         throw;
     }
     shown.end();
+    streams.finish();
     ring.finish();
     if (wants_ring && ring.frames() == 0 && !stopped())
         throw jausdump::input_error{path + ": holds no EtherCAT: no frame of EtherType 0x88A4, nothing at UDP port "
@@ -223,9 +250,12 @@ void listen(jausdump::dump& dump, const po::variables_map& values) {
         jausdump::port_capture capture{port};
         std::cerr << "jausdump: another program has UDP port " << port
                   << ": capturing what it receives and sends; Ctrl-C ends it\n";
-        return capture.run({.datagram = on_datagram,
-                            .skipped = [&](const std::string& reason) { dump.on_skipped(reason); },
-                            .stop = stopped});
+        jausdump::jtcp_streams streams = streams_of(dump);
+        capture.run({.datagram = on_datagram,
+                     .tcp = [&](const auto& segment, const auto& from) { streams.on_segment(segment, from); },
+                     .skipped = [&](const std::string& reason) { dump.on_skipped(reason); },
+                     .stop = stopped});
+        return streams.finish();
     }
     std::cerr << "jausdump: listening on UDP port " << udp->port() << "; Ctrl-C ends it\n";
     udp->run(on_datagram, stopped);
@@ -240,12 +270,17 @@ int read_input(const po::variables_map& values) {
         for (const std::string name : {"translate", "payload-types", "from", "to"})
             if (values.count(name) != 0) throw usage_error{"--" + name + " does not go with --sae"};
     }
+    const bool serial = values.count("jserial") != 0;
+    if (serial && !file) throw usage_error{"--jserial needs a file with the bytes of a serial line"};
+    if (serial && values.count("ethercat") != 0) throw usage_error{"--ethercat does not go with --jserial"};
     const auto table = object_table_from(values);
     if (!file && values.count("ethercat") != 0) throw usage_error{"--ethercat needs a capture"};
     jausdump::dump dump{options_from(values)};
     std::string problem;
     try {
-        if (file)
+        if (serial)
+            read_serial(dump, values["capture"].as<std::string>());
+        else if (file)
             read_file(dump, values["capture"].as<std::string>(), table);
         else if (live)
             listen(dump, values);
@@ -271,6 +306,7 @@ int main(int argc, char** argv) {
             ("listen", po::value<std::uint16_t>(), "UDP port to receive on")
             ("join", po::value<std::vector<std::string>>(), "multicast group to join, with --listen")
             ("format", po::value<std::string>()->default_value("text"), "text or json")
+            ("jserial", "CAPTURE holds the bytes of a serial line with SAE JAUS")
             ("sae", "lines of hex are payloads of SAE JAUS, each from its message ID on")
             ("hex", "show each message's bytes with their offsets too")
             ("reencode", "add the message encoded again from the decoded values")
