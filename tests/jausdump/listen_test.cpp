@@ -3,7 +3,9 @@
 #include "support/catch.hpp"
 
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/ip/udp.hpp>
+#include <boost/asio/write.hpp>
 
 #include <chrono>
 #include <csignal>
@@ -167,4 +169,27 @@ TEST_CASE("messages of a running program are captured where it has the port") {
     REQUIRE(shown[1]["origin"]["from"] == text(node));
     std::vector<std::byte> received(100);
     REQUIRE(node.receive(boost::asio::buffer(received)) == 21); // and the program gets them all
+}
+
+TEST_CASE("TCP streams of a running program are captured where it has the port") {
+    if (::geteuid() != 0) return; // the test above shows what is said then
+    using boost::asio::ip::tcp;
+    boost::asio::io_context context;
+    const auto loopback = boost::asio::ip::address_v4::loopback();
+    udp::socket node{context, udp::endpoint{loopback, 0}};
+    const auto port = node.local_endpoint().port();
+    tcp::acceptor acceptor{context, tcp::endpoint{loopback, port}};
+    listening_program program{{"--format", "json"}, port, "another program has UDP port "};
+    tcp::socket peer{context};
+    peer.connect(acceptor.local_endpoint());
+    tcp::socket accepted = acceptor.accept();
+    boost::asio::write(peer, boost::asio::buffer(from_hex("02 00 1100 01 06050400 03020100 0d")));
+    boost::asio::write(peer, boost::asio::buffer(from_hex("0023 0700")));
+    program.wait_for_output("RequestControl");
+    REQUIRE(program.end(SIGINT) == 0);
+    std::istringstream lines{program.output()};
+    std::string line;
+    REQUIRE(std::getline(lines, line));
+    CHECK(dump_test::json::parse(line).at("origin").at("to") == "127.0.0.1:" + std::to_string(port));
+    CHECK_FALSE(std::getline(lines, line));
 }
