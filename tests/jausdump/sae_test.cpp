@@ -102,6 +102,16 @@ TEST_CASE("payloads are selected by message ID and name") {
     CHECK(selected("--name RequestControl") == "0x000D ");
 }
 
+TEST_CASE("Local Vector is decoded by the version of mobility that is given") {
+    CHECK(payload_object("0804 01 ffff").at("error").at("field") != nullptr);
+    const auto old = payload_object("0804 01 ffff", "--sae-mobility 1.0 --reencode");
+    CHECK(old.at("message") == "SetLocalVector");
+    CHECK(old.at("fields").contains("speed"));
+    CHECK(old.at("hex") == "080401ffff");
+    CHECK(payload_object("0d0023", "--sae-mobility 1.0").at("fields") == json{{"authority_code", 35}});
+    CHECK(run("--sae --sae-mobility 2", "0e00\n").code == 2);
+}
+
 TEST_CASE("--sae is for lines of hex") {
     CHECK(run("--sae --listen 0").code == 2);
     const auto capture = run("--sae " + support::test_data("sae_management.pcap"));

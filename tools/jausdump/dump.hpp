@@ -17,7 +17,8 @@ struct options {
     jausdump::format format{};
     jausdump::translation translation{};
     jausdump::filter filter{};
-    bool sae{}; ///< lines are payloads of SAE JAUS
+    bool sae{};              ///< lines are payloads of SAE JAUS
+    bool sae_mobility_1_0{}; ///< peers speak mobility services of version 1.0
     bool reencode{};
     bool hex{};          ///< bytes with offsets, in text
     bool summary_only{}; ///< print no messages
@@ -65,7 +66,9 @@ class dump {
     payload_directory payloads_;
     summary summary_{};
     bool heading_printed_{};
-    sae_messages sae_{{.text = options_.format == format::text_lines, .reencode = options_.reencode},
+    sae_messages sae_{{.text = options_.format == format::text_lines,
+                       .reencode = options_.reencode,
+                       .mobility_1_0 = options_.sae_mobility_1_0},
                       [this](const record& message) { tell(message); },
                       [this] { summary_.lose_data_set(); }};
 

@@ -147,6 +147,7 @@ jausdump::options options_from(const po::variables_map& values) {
                    .from = parsed(items_of(values, "from"), &parse_pattern),
                    .to = parsed(items_of(values, "to"), &parse_pattern)},
         .sae = values.count("sae") != 0,
+        .sae_mobility_1_0 = choice<bool>(values, "sae-mobility", {{"1.0", true}, {"1.1", false}}),
         .reencode = values.count("reencode") != 0,
         .hex = values.count("hex") != 0,
         .summary_only = values.count("summary") != 0,
@@ -308,6 +309,8 @@ int main(int argc, char** argv) {
             ("format", po::value<std::string>()->default_value("text"), "text or json")
             ("jserial", "CAPTURE holds the bytes of a serial line with SAE JAUS")
             ("sae", "lines of hex are payloads of SAE JAUS, each from its message ID on")
+            ("sae-mobility", po::value<std::string>()->default_value("1.1"),
+             "version of the mobility services of SAE that peers speak: 1.0 or 1.1")
             ("hex", "show each message's bytes with their offsets too")
             ("reencode", "add the message encoded again from the decoded values")
             ("translate", po::value<std::string>(), "add the SDO download packet, by the table seed or self-contained")

@@ -39,14 +39,6 @@ std::string encoded_again(const record& message, std::span<const std::byte> payl
     return text::detail::plain_hex(again);
 }
 
-/// Takes ID and name from the payload. That of a packet behind the first one has none.
-void identify(record& message) {
-    auto& sae = *message.sae;
-    sae.message_id = sae::message_id_of(message.body());
-    if (!sae.message_id) return;
-    if (const auto* const known = catalogue::sae().find(*sae.message_id)) message.name = sae_name(*known);
-}
-
 fault fault_of(sae::transport_errc error) {
     return {.error = std::string{text::enumerator_name(error)}, .what = std::string{describe(error)}};
 }
@@ -88,8 +80,19 @@ struct sae_messages::fragments {
 };
 
 sae_messages::sae_messages(sae_options how, std::function<void(const record&)> tell, std::function<void()> lost)
-    : how_{how}, tell_{std::move(tell)}, lost_{std::move(lost)} {}
+    : how_{how},
+      messages_{how.mobility_1_0 ? catalogue::list{catalogue::sae_mobility_1_0(), catalogue::sae()} : catalogue::sae()},
+      tell_{std::move(tell)},
+      lost_{std::move(lost)} {}
 sae_messages::~sae_messages() = default;
+
+/// Takes ID and name from the payload. That of a packet behind the first one has none.
+void sae_messages::identify(record& message) const {
+    auto& sae = *message.sae;
+    sae.message_id = sae::message_id_of(message.body());
+    if (!sae.message_id) return;
+    if (const auto* const known = messages_.find(*sae.message_id)) message.name = sae_name(*known);
+}
 
 void sae_messages::on_payload(std::span<const std::byte> payload, const origin& from) {
     record message{.origin = from, .bytes = {payload.begin(), payload.end()}};
@@ -148,7 +151,7 @@ void sae_messages::decode(record& message) const {
         message.error->byte = sae.payload_begin;
         return;
     }
-    const auto* const known = catalogue::sae().find(*sae.message_id);
+    const auto* const known = messages_.find(*sae.message_id);
     if (known == nullptr) {
         message.kind = kind::unknown;
         message.error =

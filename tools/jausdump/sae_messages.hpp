@@ -13,6 +13,7 @@ namespace jausdump {
 struct sae_options {
     bool text{}; ///< text, else JSON
     bool reencode{};
+    bool mobility_1_0{}; ///< mobility services of version 1.0, else 1.1
 };
 
 /// The name in the service definitions: "RequestControl".
@@ -38,10 +39,12 @@ class sae_messages {
   private:
     struct fragments;
 
+    void identify(record& message) const;
     void decode(record& message) const;
     void add_packet(record& message);
 
     sae_options how_;
+    jauscat::catalogue::list messages_;
     std::function<void(const record&)> tell_;
     std::function<void()> lost_;
     std::unique_ptr<fragments> fragments_; ///< made for the first packet of several
