@@ -163,17 +163,18 @@ class randomiser {
         using item = wire::selected<Member, Selector, Cases...>;
         // Another value may have drawn it.
         if (!item::with_case(Selector::value(here), []<class>() {})) draw_tag<Cases...>(Selector{}, object, here);
-        item::with_case(Selector::value(here), [&]<class Case>() {
+        const auto draw = [&]<class Case>(auto& held) { // depends on its type, as clang requires of discarded branches
             using form = typename Case::form;
             if constexpr (std::is_same_v<form, std::monostate>)
-                member = form{};
+                held = form{};
             else if constexpr (wire::message<form>)
-                message(member.template emplace<form>(), here);
+                message(held.template emplace<form>(), here);
             else if constexpr (item::of_variant)
-                number<form>(member.template emplace<typename form::value_type>());
+                number<form>(held.template emplace<typename form::value_type>());
             else
-                number<form>(member);
-        });
+                number<form>(held);
+        };
+        item::with_case(Selector::value(here), [&]<class Case>() { draw.template operator()<Case>(member); });
         if (chance(g_, odds_.illegal)) draw_tag<Cases...>(Selector{}, object, here);
     }
     template <auto Member, class Tag> void value(wire::variant<Member, Tag>, auto& member, auto&, const auto& here) {
