@@ -5,9 +5,8 @@
 namespace jauscat::jaus {
 
 /// Sequence numbers that are not newer than the last one. They are of late reports, however late, and of copies, unless
-/// - the provider has confirmed the request again after a silence, and the number is 0 or 1, and by more than 32
-/// behind:
-///   it was restarted;
+/// - the provider has confirmed the request again after a silence, and the number is 0 or 1 and more than 32 behind: it
+///   was restarted;
 /// - eight follow each other without a newer one after such a confirmation, or 32 without: the first ones were lost, or
 ///   as many as the width of the number cannot tell.
 struct older_numbers {
