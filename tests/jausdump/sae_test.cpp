@@ -112,7 +112,7 @@ TEST_CASE("Local Vector is decoded by the version of mobility that is given") {
     CHECK(run("--sae --sae-mobility 2", "0e00\n").code == 2);
 }
 
-TEST_CASE("--sae is for lines of hex") {
+TEST_CASE("only lines of hex take --sae") {
     CHECK(run("--sae --listen 0").code == 2);
     const auto capture = run("--sae " + support::test_data("sae_management.pcap"));
     CHECK(capture.code == 2);
