@@ -1,4 +1,5 @@
 // Each check of the model can fail: it is shown what must not be.
+#include "simulation/idle_process.hpp"
 #include "simulation/model.hpp"
 #include "support/catch.hpp"
 
@@ -9,24 +10,11 @@ namespace {
 
 constexpr jaus::address robot_id{1, 33, 1, 2}, operator_id{1, 32, 1, 1}, other_id{1, 32, 1, 4};
 
-/// A process that does nothing by itself.
-class still final : public process {
-  public:
-    using process::process;
-
-  private:
-    void boot() override {}
-    void kill() override {}
-    void receive(const datagram&) override {}
-    void run() override {}
-    std::optional<simulation::time> next() override { return std::nullopt; }
-};
-
 /// A robot, its operator and another one; all that they do is said by the test.
 struct stage {
     world w{1, 0};
     network n{w};
-    still robot{w, n, "robot"}, unit{w, n, "operator"}, other_unit{w, n, "other operator"};
+    idle_process robot{w, n, "robot"}, unit{w, n, "operator"}, other_unit{w, n, "other operator"};
     model m{w, n};
     std::uint8_t actuator{m.add_actuator(robot, robot_id, robot.number(), 500ms)};
     std::uint8_t sender{m.add_sender(unit, operator_id)}, other{m.add_sender(other_unit, other_id)};

@@ -1,4 +1,5 @@
 // Each check of the nodes can fail: it is shown what must not be.
+#include "simulation/idle_process.hpp"
 #include "simulation/node_judge.hpp"
 #include "support/catch.hpp"
 
@@ -6,19 +7,6 @@ using namespace simulation;
 using namespace std::chrono_literals;
 
 namespace {
-
-/// A process that does nothing by itself.
-class idle_process final : public process {
-  public:
-    using process::process;
-
-  private:
-    void boot() override {}
-    void kill() override {}
-    void receive(const datagram&) override {}
-    void run() override {}
-    std::optional<simulation::time> next() override { return std::nullopt; }
-};
 
 /// Two nodes that are 0 and 1.
 struct two_nodes {
