@@ -288,6 +288,10 @@ TEST_CASE("a node of the RA hands SAE JAUS on, and both are answered from its on
     CHECK(there.received.size() == 1);
     CHECK(
         std::ranges::none_of(there.log, [](const std::string& line) { return line.find("is refused") != line.npos; }));
+    for (const auto sent_from : std::array<std::uint16_t, 2>{9, 10})
+        link->on_datagram(from_hex("02"), {udp::v6(), sent_from});
+    CHECK(std::ranges::count_if(
+              there.log, [](const std::string& line) { return line.find("JUDP needs IPv4") != line.npos; }) == 1);
     node.stop();
     link->stop();
 }

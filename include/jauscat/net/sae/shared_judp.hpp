@@ -2,7 +2,9 @@
 #pragma once
 
 #include <jauscat/base/compilation.hpp>
+#include <jauscat/jaus/message/framing.hpp>
 #include <jauscat/net/config/udp_options.hpp>
+#include <jauscat/net/detail/named_forms.hpp>
 #include <jauscat/net/error.hpp>
 #include <jauscat/net/sae/transport_driver.hpp>
 #include <jauscat/sae/transport/judp.hpp>
@@ -49,7 +51,8 @@ class shared_judp {
     /// No handler is called afterwards, and nothing is sent.
     void stop() { driver_.stop(); }
 
-    /// A datagram that the socket has received. Those of IPv6 are dropped and named in the log: AS5669A has none.
+    /// A datagram that the socket has received. Those of IPv6 are dropped, and the log names each host once:
+    /// AS5669A has none.
     JAUSCAT_DECL void on_datagram(bytes datagram, const endpoint& from);
     /// See sae::transport::send.
     result<std::uint16_t, sae::transport_errc> send(const sae::outgoing_message& message, bytes payload) {
@@ -62,6 +65,7 @@ class shared_judp {
     send_handler send_;
     std::optional<endpoint> group_;
     transport_driver driver_;
+    detail::named_forms<jaus::datagram_form> named_{};
 };
 
 } // namespace JAUSCAT_WAY

@@ -16,8 +16,12 @@ JAUSCAT_DECL shared_judp::shared_judp(boost::asio::io_context& context, sae::tra
       driver_{context, transport, [this](const sae::outgoing_datagram& datagram) { put(datagram); }} {}
 
 JAUSCAT_DECL void shared_judp::on_datagram(bytes datagram, const endpoint& from) {
-    if (!from.address().is_v4())
-        return driver_.report("a datagram from " + detail::text(from) + " is dropped: JUDP needs IPv4");
+    if (!from.address().is_v4()) {
+        if (named_.is_new(from.address(), jaus::datagram_form::judp2))
+            driver_.report("a datagram from " + detail::text(from) +
+                           " is dropped: JUDP needs IPv4; the next ones of this host are only dropped");
+        return;
+    }
     driver_.on_datagram(judp_link::key_of(from), datagram);
 }
 
