@@ -2,7 +2,6 @@
 // types and table; used for a slave's dictionary, creation packets and ESI files.
 #pragma once
 #include <jauscat/translate/table.hpp>
-#include <jauscat/wire/raw.hpp>
 #include <jauscat/wire/schema.hpp>
 
 #include <algorithm>
@@ -69,15 +68,6 @@ template <class Table> constexpr std::uint16_t index_of(std::uint8_t component, 
     return static_cast<std::uint16_t>(number_of<Table, typename Table::index_row>(component, code));
 }
 
-// The message type of a raw.
-template <class T> struct message_of_raw {
-    using type = T;
-};
-template <wire::raw_object T> struct message_of_raw<T> {
-    using type = typename T::raw_of;
-};
-template <class T> inline constexpr std::uint16_t code_of = translate::code_of<typename message_of_raw<T>::type>;
-
 // RA 3.3 part 2, command codes: below 2000h commands, below 4000h queries, below 6000h informs. A command or query is
 // written only. An inform is read after its query, and written where it comes from another component. A message of
 // another class is both.
@@ -116,7 +106,7 @@ template <class Table>
 }
 /// The same for a message type.
 template <class Table, wire::message T> [[nodiscard]] constexpr sub_object sub_object_of() noexcept {
-    return sub_object_of<Table>(detail::code_of<T>, wire::type_name<T>(),
+    return sub_object_of<Table>(translate::code_of<T>, wire::type_name<T>(),
                                 translate::largest_body<typename Table::header_type, T>);
 }
 
@@ -125,7 +115,7 @@ template <class Table, wire::message T> [[nodiscard]] constexpr sub_object sub_o
 template <class Table, std::uint8_t Component, class... Messages> struct object_list {
     static constexpr std::uint16_t index = [] {
         std::uint16_t code{}; // of the first message
-        static_cast<void>(((code = detail::code_of<Messages>, true) || ...));
+        static_cast<void>(((code = translate::code_of<Messages>, true) || ...));
         return detail::index_of<Table>(Component, code);
     }();
     static constexpr std::uint8_t component = Component;
@@ -144,8 +134,8 @@ template <class Table, std::uint8_t Component, class... Messages> struct object_
     static_assert(entries.empty() || entries.front().subindex != 0,
                   "object_list: a message has no rank in the table; append its command code to the table's list");
     static_assert(detail::distinct_subindices(entries), "object_list: a message is listed twice");
-    static_assert(((detail::code_of<Messages> == 0 || entries.front().subindex == 0 ||
-                    detail::index_of<Table>(Component, detail::code_of<Messages>) == index) &&
+    static_assert(((translate::code_of<Messages> == 0 || entries.front().subindex == 0 ||
+                    detail::index_of<Table>(Component, translate::code_of<Messages>) == index) &&
                    ...),
                   "object_list: the messages are in several segments, each an object: use object_lists");
 
@@ -168,8 +158,8 @@ template <class Table, std::uint8_t Component, class... Messages> struct object_
         }
     };
     static constexpr auto sorted = [] {
-        std::array<placed, sizeof...(Messages)> made{
-            placed{detail::index_of<Table>(Component, detail::code_of<Messages>), sub_object_of<Table, Messages>()}...};
+        std::array<placed, sizeof...(Messages)> made{placed{
+            detail::index_of<Table>(Component, translate::code_of<Messages>), sub_object_of<Table, Messages>()}...};
         std::sort(made.begin(), made.end());
         return made;
     }();

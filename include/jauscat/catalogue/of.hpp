@@ -10,6 +10,10 @@
 #include <jauscat/wire/diagnose.hpp>
 #include <jauscat/wire/encode.hpp>
 
+#include <algorithm>
+#include <concepts>
+#include <initializer_list>
+
 namespace jauscat::catalogue {
 
 /// A message of SAE JAUS: its schema has a message ID, which is also the first field of its layout.
@@ -18,26 +22,25 @@ concept identified_message = wire::message<T> && requires {
     { wire::schema<T>::message_id } -> std::convertible_to<std::uint16_t>;
 };
 
+/// What a catalogue can have.
+template <class T> concept catalogued_message = jaus::coded_message<T> || identified_message<T>;
+
 namespace detail {
 
-template <class T> consteval std::uint16_t code_of() {
+template <catalogued_message T> consteval std::uint16_t code_of() {
     if constexpr (identified_message<T>)
         return wire::schema<T>::message_id;
     else
         return jaus::command_code_of<T>;
 }
 
-/// How far the code of a report is from that of its query.
-inline constexpr std::uint16_t report_distance = 0x2000;
-
 /// Of RA 3.3, the schema names query and report; of SAE JAUS, the IDs do, where the list has both.
 template <class T> consteval std::uint16_t query_code(std::initializer_list<std::uint16_t> codes) {
     if constexpr (jaus::report_message<T>) {
         return jaus::command_code_of<jaus::query_of<T>>;
     } else if constexpr (identified_message<T>) {
-        const auto query = static_cast<std::uint16_t>(code_of<T>() - report_distance);
-        return jaus::report_code_of(query) == code_of<T>() && std::ranges::find(codes, query) != codes.end() ? query
-                                                                                                             : 0;
+        const auto* const query = std::ranges::find(codes, code_of<T>(), &jaus::report_code_of);
+        return query != codes.end() ? *query : std::uint16_t{};
     } else {
         return 0;
     }
@@ -79,7 +82,7 @@ inline constexpr entry_data data_of{
     .annotate = [](std::span<const std::byte> body,
                    std::size_t first_offset) { return text::annotate<T>(body, first_offset); }};
 
-template <template <class...> class List, class... Messages> list made_of(List<Messages...>) {
+template <template <class...> class List, catalogued_message... Messages> list made_of(List<Messages...>) {
     return list{std::vector<entry>{entry{data_of<Messages, query_code<Messages>({code_of<Messages>()...}),
                                                  report_code<Messages>({code_of<Messages>()...})>}...}};
 }

@@ -1,6 +1,7 @@
 // A translation table: rows between a message header and a packet, checked at compile time.
 #pragma once
 #include <jauscat/translate/rows.hpp>
+#include <jauscat/wire/raw.hpp>
 
 #include <algorithm>
 #include <array>
@@ -182,10 +183,13 @@ inline constexpr bool has_fixed_length =
 template <class Header, wire::message T>
 inline constexpr std::size_t largest_body = wire::layout_of<T>::to_the_end ? wire::unbounded : wire::max_size<T>;
 
-/// The code of a message, which its schema states: `command_code`, or the `message_id` of SAE.
+/// The code of a message, or of the message of a raw, which its schema states: `command_code`, or the `message_id` of
+/// SAE.
 template <class T>
 inline constexpr std::uint16_t code_of = [] {
-    if constexpr (requires { wire::schema<T>::message_id; })
+    if constexpr (wire::raw_object<T>)
+        return code_of<typename T::raw_of>;
+    else if constexpr (requires { wire::schema<T>::message_id; })
         return wire::schema<T>::message_id;
     else
         return wire::schema<T>::command_code;
