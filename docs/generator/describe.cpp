@@ -162,7 +162,7 @@ std::vector<part> parts_of(const text::structure& structure) {
     const auto members = structure.members;
     for (std::size_t i = 0; i != members.size(); ++i) {
         const member& one = members[i];
-        if (one.what == member::role::not_on_wire) continue;
+        if (one.what == member::role::not_on_wire || one.what == member::role::constant) continue;
         if (one.carrier_bits != 0) {
             part packed{.what = part::kind::packed,
                         .least = one.carrier_bits / 8,
@@ -175,9 +175,7 @@ std::vector<part> parts_of(const text::structure& structure) {
                 reserve(packed, at, field.first_bit);
                 packed.parts.push_back(bit_field_of(field, owner));
                 at = field.first_bit + packed.parts.back().width;
-                const bool is_last =
-                    i + 1 == members.size() || members[i + 1].carrier_bits == 0 || members[i + 1].first_bit < at;
-                if (is_last) break;
+                if (field.ends_carrier) break;
             }
             reserve(packed, at, one.carrier_bits);
             out.push_back(std::move(packed));

@@ -134,6 +134,7 @@
 #include <jauscat/sae/transport/impl/packet_queue.ipp>
 #include <jauscat/sae/transport/impl/peer_table.ipp>
 #include <jauscat/sae/transport/impl/transport.ipp>
+#include <jauscat/text/impl/annotate.ipp>
 #include <jauscat/text/impl/from_text.ipp>
 #include <jauscat/text/impl/input.ipp>
 #include <jauscat/text/impl/print.ipp>

@@ -25,23 +25,24 @@ TEST_CASE("a message is shown with offsets, bytes, names, units and raw values")
                  .destination = {1, 33, 2, 2},
                  .source = {1, 32, 1, 1},
                  .sequence_number = 7});
-    CHECK(text::annotate_message(bytes, jaus::message_list<jaus::set_wrench_effort>{}) ==
-          "  0000  16 02         priority = 6, ack_nak = request, service_connection = false, experimental = false, "
-          "version = 2, reserved = 0\n"
-          "  0002  05 04         command_code = 0x0405 (Set Wrench Effort)\n"
-          "  0004  01            destination.instance = 1\n"
-          "  0005  21            destination.component = 33\n"
-          "  0006  02            destination.node = 2\n"
-          "  0007  02            destination.subsystem = 2\n"
-          "  0008  01            source.instance = 1\n"
-          "  0009  20            source.component = 32\n"
-          "  000a  01            source.node = 1\n"
-          "  000b  01            source.subsystem = 1\n"
-          "  000c  05 00         data_size = 5, data_flag = only\n"
-          "  000e  07 00         sequence_number = 7\n"
-          "  0010  81 00         presence_vector = 0x0081\n"
-          "  0012  00 40         propulsive_linear_effort_x = 50.001526 % (raw 16384)\n"
-          "  0014  ff            resistive_linear_effort_y = 100 % (raw 255)\n");
+    CHECK(
+        text::annotate_message(bytes, jaus::message_list<jaus::set_wrench_effort>{}) ==
+        "  0000  16 02         priority = 6, ack_nak = request (1), service_connection = false, experimental = false, "
+        "version = 2, reserved = 0\n"
+        "  0002  05 04         command_code = 0x0405 (Set Wrench Effort)\n"
+        "  0004  01            destination.instance = 1\n"
+        "  0005  21            destination.component = 33\n"
+        "  0006  02            destination.node = 2\n"
+        "  0007  02            destination.subsystem = 2\n"
+        "  0008  01            source.instance = 1\n"
+        "  0009  20            source.component = 32\n"
+        "  000a  01            source.node = 1\n"
+        "  000b  01            source.subsystem = 1\n"
+        "  000c  05 00         data_size = 5, data_flag = only (0)\n"
+        "  000e  07 00         sequence_number = 7\n"
+        "  0010  81 00         presence_vector = 0x0081\n"
+        "  0012  00 40         propulsive_linear_effort_x = 50.001526 % (raw 16384)\n"
+        "  0014  ff            resistive_linear_effort_y = 100 % (raw 255)\n");
     CHECK(text::summary(jaus::split(bytes).header) == "Set Wrench Effort, 21 bytes, 1.1.32.1 -> 2.2.33.1, sequence 7");
 }
 

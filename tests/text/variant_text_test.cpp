@@ -38,7 +38,7 @@ TEST_CASE("annotate names the constant, the variant's index and its fields") {
   0004  01 00 00 00   gps_fix_rec.gps_fix_time_seconds = 1 second
   0008  02 00 00 00   gps_fix_rec.gps_fix_time_nano_seconds = 2
   000c  00            gps_status_var.index = 0
-  000d  01            gps_status_var.gps_validity = valid
+  000d  01            gps_status_var.gps_validity = valid (1)
   000e  00 00 00 00   gps_status_var.gps_magnetic_variation = -90 degree (raw 0)
 )");
 }
@@ -46,7 +46,7 @@ TEST_CASE("annotate names the constant, the variant's index and its fields") {
 TEST_CASE("annotate accepts a value outside its value set") {
     auto in = encoded_variant;
     in[13] = std::byte{7};
-    CHECK(text::annotate<mobility::report_gps_fix>(in).find("gps_status_var.gps_validity = 0x7\n") !=
+    CHECK(text::annotate<mobility::report_gps_fix>(in).find("gps_status_var.gps_validity = 0x07\n") !=
           std::string::npos);
     CHECK(text::to_text(wire::diagnose<mobility::report_gps_fix>(in)) ==
           "outside value set: the standard does not define this value: gps_status_var.gps_validity at byte 13");

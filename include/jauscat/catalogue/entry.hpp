@@ -32,8 +32,7 @@ struct entry_data {
     void (*destroy)(void* object){};
     result<std::size_t, wire::errc> (*decode)(void* object, std::span<const std::byte> body, wire::arena&){};
     result<std::vector<std::byte>, wire::errc> (*encode)(const void* object){};
-    wire::diagnosis (*diagnose)(std::span<const std::byte> body){};
-    std::string (*annotate)(std::span<const std::byte> body, std::size_t first_offset){};
+    wire::diagnosis (*diagnose)(std::span<const std::byte> body, wire::errc error){};
 };
 
 } // namespace detail
@@ -71,11 +70,10 @@ class entry {
     from_words(std::span<const std::string> words) const;
 
     /// Where and why a body does not decode; `ok` where it does.
-    [[nodiscard]] wire::diagnosis diagnose(std::span<const std::byte> body) const { return data_->diagnose(body); }
+    [[nodiscard]] JAUSCAT_FUNCTION wire::diagnosis diagnose(std::span<const std::byte> body) const;
     /// A line for each field of a body: offset, counted from `first_offset`, bytes, name, value.
-    [[nodiscard]] std::string annotate(std::span<const std::byte> body, std::size_t first_offset = 0) const {
-        return data_->annotate(body, first_offset);
-    }
+    [[nodiscard]] JAUSCAT_FUNCTION std::string annotate(std::span<const std::byte> body,
+                                                        std::size_t first_offset = 0) const;
     /// The fields of a body, a line each, or one that says why it does not decode.
     [[nodiscard]] JAUSCAT_FUNCTION std::string to_text(std::span<const std::byte> body, std::size_t indent = 2) const;
 
@@ -83,6 +81,9 @@ class entry {
 
   private:
     friend class any_message;
+    // It points at the bytes of the body.
+    [[nodiscard]] JAUSCAT_FUNCTION result<any_message, wire::errc> decoded(std::span<const std::byte> body,
+                                                                           bool tolerates_values) const;
     const detail::entry_data* data_;
 };
 

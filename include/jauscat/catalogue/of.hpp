@@ -4,7 +4,6 @@
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/jaus/message/presence_bits.hpp>
 #include <jauscat/schema/jaus/message_list.hpp>
-#include <jauscat/text/annotate.hpp>
 #include <jauscat/text/describe.hpp>
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/diagnose.hpp>
@@ -78,9 +77,7 @@ inline constexpr entry_data data_of{
         if (const auto written = wire::encode(message, body); !written) return written.error();
         return body;
     },
-    .diagnose = [](std::span<const std::byte> body) { return wire::diagnose<T>(body); },
-    .annotate = [](std::span<const std::byte> body,
-                   std::size_t first_offset) { return text::annotate<T>(body, first_offset); }};
+    .diagnose = [](std::span<const std::byte> body, wire::errc error) { return wire::diagnose<T>(body, error); }};
 
 template <template <class...> class List, catalogued_message... Messages> list made_of(List<Messages...>) {
     return list{std::vector<entry>{entry{data_of<Messages, query_code<Messages>({code_of<Messages>()...}),

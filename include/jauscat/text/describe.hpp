@@ -56,18 +56,35 @@ template <auto Flag, class Item> struct flag_of<wire::gated_by<Flag, Item>> {
 };
 
 template <class T, class Item> constexpr void append(member*& out);
-template <class T, class Whole, class... Fields> constexpr void append_bits(member*& out, std::tuple<Fields...>*) {
+template <class Codec, auto Value> constexpr member constant_of(std::string_view name) {
+    return {.what = member::role::constant,
+            .name = name,
+            .how = &number_form<Codec>,
+            .number = [](const void*) { return static_cast<std::uint64_t>(Value); },
+            .least = Codec::size,
+            .most = Codec::size};
+}
+template <wire::label Name, class Codec, auto Value> constexpr member constant_of(wire::constant<Name, Codec, Value>) {
+    return constant_of<Codec, Value>(Name.view());
+}
+template <class T, class Carrier, class... Fields>
+constexpr void append_bits(member*& out, wire::bit_fields<Carrier, Fields...>) {
     unsigned at = 0;
+    member* const first = out;
     const auto append_one = [&]<class Field>() {
         member* const before = out;
         append<T, Field>(out);
         if (out != before) {
             before->first_bit = at;
-            before->carrier_bits = static_cast<unsigned>(Whole::max_size * 8);
+            before->carrier_bits = static_cast<unsigned>(Carrier::size * 8);
         }
         at += static_cast<unsigned>(Field::width);
     };
     (append_one.template operator()<Fields>(), ...);
+    if (out != first)
+        out[-1].ends_carrier = true;
+    else
+        *out++ = constant_of<Carrier, 0>("reserved");
 }
 
 /// Bytes of an item that has a member, where it is present.
@@ -90,8 +107,10 @@ template <class Item> constexpr void set_size(member& made) {
 
 /// Adds the members of an item, in wire order.
 template <class T, class Item> constexpr void append(member*& out) {
-    if constexpr (requires { typename Item::fields; }) {
-        append_bits<T, Item>(out, static_cast<typename Item::fields*>(nullptr));
+    if constexpr (requires { Item::fixed_value; }) {
+        *out++ = constant_of(Item{});
+    } else if constexpr (requires { typename Item::fields; }) {
+        append_bits<T>(out, Item{});
     } else if constexpr (requires { typename Item::carrier_codec; }) {
         *out++ = member{.what = member::role::presence_vector,
                         .name = "presence_vector",
@@ -164,8 +183,12 @@ template <class T, class Item> constexpr void append(member*& out) {
     }
 }
 
-/// Members of a layout beside its items: presence vectors, and counts before their lists.
+/// Members of a layout beside its items: presence vectors, counts before their lists, and constants.
 template <class Item> inline constexpr std::size_t added = 0;
+template <wire::label Name, class Codec, auto Value>
+inline constexpr std::size_t added<wire::constant<Name, Codec, Value>> = 1;
+template <class Carrier, std::size_t... Widths>
+inline constexpr std::size_t added<wire::bit_fields<Carrier, wire::reserved<Widths>...>> = 1;
 template <class Item>
 requires requires { typename Item::count_type; }
 inline constexpr std::size_t added<Item> = counter_of<typename Item::count_type>::before ? 1 : 0;

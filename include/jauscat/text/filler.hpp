@@ -68,6 +68,7 @@ class filler {
                 else if (mask)
                     std::get<integer_form>(one.how->is).set(one.make(object), *mask >> bit & 1u);
                 break;
+            case member::role::constant:
             case member::role::not_on_wire: break;
             case member::role::count:
                 if (const input* const list = in.find(type.members[i + 1].name); part != nullptr && list == nullptr) {
@@ -93,7 +94,8 @@ class filler {
 
     bool known_names(const structure& type, const input& in, std::string_view more) {
         std::vector<std::string_view> names;
-        for (const member& one : type.members) names.push_back(one.name);
+        for (const member& one : type.members)
+            if (one.what != member::role::constant) names.push_back(one.name);
         for (const input& part : in.parts) {
             if (part.what == input::kind::nothing || part.name == more) continue;
             if (std::ranges::find(names, part.name) != names.end()) continue;

@@ -49,6 +49,7 @@ class json_writer {
             const member& one = type.members[i];
             switch (one.what) {
             case member::role::flag:
+            case member::role::constant:
             case member::role::not_on_wire: break;
             case member::role::presence_vector: // the message's own is beside the fields
                 if (!outermost) made[std::string{one.name}] = one.number(object);

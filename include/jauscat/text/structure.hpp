@@ -156,15 +156,16 @@ struct member {
         flag,            ///< a bool that only shows in the presence vector
         not_on_wire,     ///< does not travel
         count,           ///< no member: how many the next one has
+        constant,        ///< no member: always the same number
         presence_vector, ///< no member: which of the following optional ones are there
     };
-    role what{};                               ///< what kind of member it is
-    std::string_view name{};                   ///< as in the message's struct
-    const form* how{};                         ///< of count and presence vector: an integer_form without get and set
-    bool optional{};                           ///< may be absent: by its presence bit or its gate
-    const void* (*find)(const void* object){}; ///< its value; nullptr where absent
-    void* (*make)(void* object){};             ///< its value, made present
-    std::uint64_t (*number)(const void* object){}; ///< of a presence vector or count, which are no members
+    role what{};                                   ///< what kind of member it is
+    std::string_view name{};                       ///< as in the message's struct
+    const form* how{};                             ///< of what is no member: an integer_form without get and set
+    bool optional{};                               ///< may be absent: by its presence bit or its gate
+    const void* (*find)(const void* object){};     ///< its value; nullptr where absent
+    void* (*make)(void* object){};                 ///< its value, made present
+    std::uint64_t (*number)(const void* object){}; ///< of what is no member
     other_member gate{};                           ///< the flag that announces it
     other_member counter{};                        ///< the member with its number of elements
     std::size_t counter_excess{};                  ///< by how much the counter is larger
@@ -172,6 +173,7 @@ struct member {
     std::size_t least{}, most{};                   ///< bytes on the wire where it is present; 0 for a bit-field
     std::optional<unsigned> presence_bit{};        ///< of the presence vector before it
     unsigned first_bit{}, carrier_bits{};          ///< of a bit-field: where it begins in an integer of so many bits
+    bool ends_carrier{};                           ///< of a bit-field: the last one in its integer
     unsigned used_bits{};                          ///< of a presence vector: so many have a meaning
     bool tolerant{}; ///< of a presence vector: other bits are dropped, with the bytes they stand for
 };

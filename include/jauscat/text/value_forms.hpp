@@ -71,15 +71,15 @@ template <class Codec> constexpr std::string_view unit_of() {
         return {};
 }
 
-template <class Value> constexpr integer_form integer_of(unsigned bits, std::string_view unit = {}) {
-    integer_form made{.bits = bits, .unit = unit, .get = &simple<Value>::get, .set = &simple<Value>::set};
+template <class Value, unsigned Bits> constexpr integer_form integer_of(std::string_view unit = {}) {
+    integer_form made{.bits = Bits, .unit = unit, .get = &simple<Value>::get, .set = &simple<Value>::set};
     if constexpr (requires { typename Value::bit_type; }) {
         made.what = integer_form::meaning::flags;
-        made.names = std::span{enumerator_names<typename Value::bit_type>}.first(bits);
+        made.names = enumerator_names<typename Value::bit_type, Bits>;
         made.type = wire::type_name<typename Value::bit_type>();
     } else if constexpr (std::is_enum_v<Value>) {
         made.what = integer_form::meaning::enumeration;
-        made.names = enumerator_names<Value>;
+        made.names = enumerator_names<Value, std::size_t{1} << std::min(Bits, 8U)>;
         made.type = wire::type_name<Value>();
     } else if constexpr (std::is_same_v<Value, bool>) {
         made.what = integer_form::meaning::boolean;
@@ -120,11 +120,12 @@ template <class Value, class Codec> constexpr form form_by_codec() {
                     std::ranges::copy(bytes, static_cast<Value*>(value)->begin());
                 }}};
     } else {
-        return {integer_of<Value>(static_cast<unsigned>(Codec::size * 8), unit_of<Codec>())};
+        return {integer_of<Value, static_cast<unsigned>(Codec::size * 8)>(unit_of<Codec>())};
     }
 }
 template <class Value, class Codec> inline constexpr form codec_form = form_by_codec<Value, Codec>();
-template <class Value, std::size_t Width> inline constexpr form bit_form{integer_of<Value>(Width)};
+template <class Value, std::size_t Width>
+inline constexpr form bit_form{integer_of<Value, static_cast<unsigned>(Width)>()};
 /// A count or a presence vector.
 template <class Codec> inline constexpr form number_form{integer_form{.bits = static_cast<unsigned>(Codec::size * 8)}};
 

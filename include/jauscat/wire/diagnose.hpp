@@ -32,17 +32,19 @@ template <message T> constexpr diagnosis value_outside(const T& value) noexcept 
 }
 } // namespace detail
 
-/// Explains the error of `decode` for `in`: the first field in wire order with that error. `error` is ok when the bytes
-/// are valid (arena_full depends on the memory).
-template <message T> [[nodiscard]] constexpr diagnosis diagnose(std::span<const std::byte> in) noexcept {
-    const errc error = detail::decode_error<T>(in);
-    if (error == errc::ok) return detail::value_outside<T>(in);
+/// Explains the error that `decode` has found in `in`: the first field in wire order with that error.
+template <message T> [[nodiscard]] constexpr diagnosis diagnose(std::span<const std::byte> in, errc error) noexcept {
+    if (error == errc::ok || error == errc::outside_value_set) return detail::value_outside<T>(in);
     if (error == errc::too_long) return {.error = error, .needed = in.size(), .available = packed_size<errc>::max_size};
     T scratch{};
     decode_trace trace{in, error};
     decode_traced(scratch, trace);
     if (error != errc::trailing_bytes) return trace.found(error);
     return {.error = error, .offset = in.size() - trace.remaining(), .available = trace.remaining()};
+}
+/// The same without knowing the error. `error` is ok when the bytes are valid (arena_full depends on the memory).
+template <message T> [[nodiscard]] constexpr diagnosis diagnose(std::span<const std::byte> in) noexcept {
+    return diagnose<T>(in, detail::decode_error<T>(in));
 }
 
 /// Explains the error of `encode` for `value` and `space` bytes; `error` is ok without one.

@@ -8,19 +8,29 @@ namespace jauscat::catalogue {
 
 JAUSCAT_FUNCTION any_message entry::make() const { return any_message{*this}; }
 
-JAUSCAT_FUNCTION result<any_message, wire::diagnosis> entry::decode(std::span<const std::byte> body) const {
-    std::vector<std::byte> bytes{body.begin(), body.end()};
+JAUSCAT_FUNCTION result<any_message, wire::errc> entry::decoded(std::span<const std::byte> body,
+                                                                bool tolerates_values) const {
     // Elements are larger than their bytes: doubles for scaled integers, and what is optional.
     const std::size_t memory = data_->has_lists ? 256 + 16 * body.size() : 0;
-    auto made = any_message::made_by(
-        *this, memory, [&](void* object, wire::arena& arena) { return data_->decode(object, bytes, arena); });
-    if (made) {
-        made->bytes_ = std::move(bytes); // the same memory
-        return std::move(*made);
-    }
-    wire::diagnosis why = data_->diagnose(bytes);
-    why.error = made.error(); // a diagnosis knows no lack of memory
-    return why;
+    return any_message::made_by(*this, memory,
+                                [&](void* object, wire::arena& arena) -> result<std::size_t, wire::errc> {
+                                    const auto done = data_->decode(object, body, arena);
+                                    if (tolerates_values && done.error() == wire::errc::outside_value_set)
+                                        return body.size(); // it is complete
+                                    return done;
+                                });
+}
+
+JAUSCAT_FUNCTION result<any_message, wire::diagnosis> entry::decode(std::span<const std::byte> body) const {
+    std::vector<std::byte> bytes{body.begin(), body.end()};
+    auto made = decoded(bytes, false);
+    if (!made) return data_->diagnose(bytes, made.error());
+    made->bytes_ = std::move(bytes); // the same memory
+    return std::move(*made);
+}
+
+JAUSCAT_FUNCTION wire::diagnosis entry::diagnose(std::span<const std::byte> body) const {
+    return data_->diagnose(body, decoded(body, false).error());
 }
 
 JAUSCAT_FUNCTION result<any_message, text::error> entry::from_words(std::span<const std::string> words) const {
@@ -38,6 +48,12 @@ JAUSCAT_FUNCTION result<any_message, text::error> entry::from_text(std::string_v
 
 JAUSCAT_FUNCTION std::string any_message::to_text(std::size_t indent) const {
     return text::to_text(data_->fields(), object_.get(), indent);
+}
+
+JAUSCAT_FUNCTION std::string entry::annotate(std::span<const std::byte> body, std::size_t first_offset) const {
+    const auto message = decoded(body, true);
+    return message ? text::annotate(data_->fields(), message->object(), body, first_offset)
+                   : text::annotate(data_->diagnose(body, message.error()), body, first_offset);
 }
 
 JAUSCAT_FUNCTION std::string entry::to_text(std::span<const std::byte> body, std::size_t indent) const {

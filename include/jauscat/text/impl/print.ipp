@@ -39,6 +39,7 @@ class printer {
         for (std::size_t i = 0; i != type.members.size(); ++i) {
             const member& one = type.members[i];
             switch (one.what) {
+            case member::role::constant:
             case member::role::not_on_wire: break;
             case member::role::presence_vector:
                 line(one.name, hex_number(one.number(object), std::get<integer_form>(one.how->is).bits / 4));
@@ -55,6 +56,18 @@ class printer {
         inner_ = here.outer;
     }
     [[nodiscard]] std::string text() && { return std::move(text_); }
+
+    /// A value that fits a line; empty for others.
+    static std::string one_line(std::string_view name, const form& how, const void* at) {
+        return std::visit(
+            [&](const auto& is) {
+                if constexpr (requires { one_line(name, is, at); })
+                    return one_line(name, is, at);
+                else
+                    return std::string{};
+            },
+            how.is);
+    }
 
   private:
     void line(std::string_view name, std::string_view value) {
@@ -96,7 +109,7 @@ class printer {
         case integer_form::meaning::enumeration:
             if (const std::string_view known = name_in(is.names, number); !known.empty())
                 return std::string{known} + " (" + std::to_string(number) + ")";
-            return hex_number(number, is.bits / 4);
+            return hex_number(number, (is.bits + 3) / 4);
         case integer_form::meaning::number: break;
         }
         if (name.ends_with("command_code") || name.ends_with("message_code"))
