@@ -2,6 +2,7 @@
 #pragma once
 #include <jauscat/base/compilation.hpp>
 #include <jauscat/base/result.hpp>
+#include <jauscat/text/annotate.hpp>
 #include <jauscat/text/error.hpp>
 #include <jauscat/text/structure.hpp>
 #include <jauscat/wire/diagnosis.hpp>
@@ -71,9 +72,12 @@ class entry {
 
     /// Where and why a body does not decode; `ok` where it does.
     [[nodiscard]] JAUSCAT_FUNCTION wire::diagnosis diagnose(std::span<const std::byte> body) const;
+    /// The bytes of each field of a body.
+    [[nodiscard]] JAUSCAT_FUNCTION text::annotation annotated(std::span<const std::byte> body) const;
     /// A line for each field of a body: offset, counted from `first_offset`, bytes, name, value.
-    [[nodiscard]] JAUSCAT_FUNCTION std::string annotate(std::span<const std::byte> body,
-                                                        std::size_t first_offset = 0) const;
+    [[nodiscard]] std::string annotate(std::span<const std::byte> body, std::size_t first_offset = 0) const {
+        return text::to_text(annotated(body), body, first_offset);
+    }
     /// The fields of a body, a line each, or one that says why it does not decode.
     [[nodiscard]] JAUSCAT_FUNCTION std::string to_text(std::span<const std::byte> body, std::size_t indent = 2) const;
 

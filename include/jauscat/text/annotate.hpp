@@ -16,30 +16,48 @@
 
 namespace jauscat::text {
 
+/// A field's path in the message, such as `joint[0].joint_effort`, and its value.
+struct annotated_field {
+    std::string path{}, value{};
+};
+/// Consecutive bytes: those of one field, or of the bit-fields of one integer.
+struct annotated_part {
+    std::size_t offset{}, size{};
+    std::vector<annotated_field> fields{};
+};
+/// The parts of a message in wire order; none where it does not decode, which `fault` explains.
+struct annotation {
+    std::vector<annotated_part> parts{};
+    wire::diagnosis fault{};
+};
+
 inline namespace JAUSCAT_WAY {
-/// A line for each field of a message or structure that was decoded from `bytes`: offset (counted from `first_offset`),
-/// bytes, name, value.
-[[nodiscard]] JAUSCAT_DECL std::string annotate(const structure& type, const void* object,
-                                                std::span<const std::byte> bytes, std::size_t first_offset = 0,
-                                                std::string_view indent = "  ");
-/// Bytes that do not decode: in hex, with the reason.
-[[nodiscard]] JAUSCAT_DECL std::string annotate(const wire::diagnosis& why, std::span<const std::byte> bytes,
-                                                std::size_t first_offset = 0, std::string_view indent = "  ");
+/// The parts of a message or structure that was decoded from `bytes`.
+[[nodiscard]] JAUSCAT_DECL annotation annotated(const structure& type, const void* object,
+                                                std::span<const std::byte> bytes);
+/// A line for each part of `bytes`: offset (counted from `first_offset`), bytes, names, values. Bytes that do not
+/// decode are shown in hex, with the reason.
+[[nodiscard]] JAUSCAT_DECL std::string to_text(const annotation& told, std::span<const std::byte> bytes,
+                                               std::size_t first_offset = 0, std::string_view indent = "  ");
 } // namespace JAUSCAT_WAY
 
-/// Decodes a `T` from the front of `bytes` and annotates it.
-template <wire::message T>
-[[nodiscard]] std::string annotate(std::span<const std::byte> bytes, std::size_t first_offset = 0,
-                                   std::string_view indent = "  ") {
+/// The parts of a `T` at the front of `bytes`.
+template <wire::message T> [[nodiscard]] annotation annotated(std::span<const std::byte> bytes) {
     for (std::size_t size = wire::needs_memory<T> ? 256 + 16 * bytes.size() : 0;; size *= 2) {
         std::vector<std::byte> lists(size);
         wire::arena memory{lists};
         T message{};
         const auto taken = wire::decode_prefix(message, bytes, memory, wire::tolerate_values);
-        if (taken) return annotate(describe<T>(), &message, bytes, first_offset, indent);
-        if (taken.error() != wire::errc::arena_full)
-            return annotate(wire::diagnose<T>(bytes), bytes, first_offset, indent);
+        if (taken) return annotated(describe<T>(), &message, bytes);
+        if (taken.error() != wire::errc::arena_full) return {.fault = wire::diagnose<T>(bytes)};
     }
+}
+
+/// Decodes a `T` from the front of `bytes` and prints a line for each field.
+template <wire::message T>
+[[nodiscard]] std::string annotate(std::span<const std::byte> bytes, std::size_t first_offset = 0,
+                                   std::string_view indent = "  ") {
+    return to_text(annotated<T>(bytes), bytes, first_offset, indent);
 }
 
 } // namespace jauscat::text

@@ -1,6 +1,5 @@
 #pragma once
 #include <jauscat/catalogue/any_message.hpp>
-#include <jauscat/text/annotate.hpp>
 #include <jauscat/text/from_text.hpp>
 #include <jauscat/text/print.hpp>
 
@@ -50,10 +49,10 @@ JAUSCAT_FUNCTION std::string any_message::to_text(std::size_t indent) const {
     return text::to_text(data_->fields(), object_.get(), indent);
 }
 
-JAUSCAT_FUNCTION std::string entry::annotate(std::span<const std::byte> body, std::size_t first_offset) const {
+JAUSCAT_FUNCTION text::annotation entry::annotated(std::span<const std::byte> body) const {
     const auto message = decoded(body, true);
-    return message ? text::annotate(data_->fields(), message->object(), body, first_offset)
-                   : text::annotate(data_->diagnose(body, message.error()), body, first_offset);
+    if (!message) return {.fault = data_->diagnose(body, message.error())};
+    return text::annotated(data_->fields(), message->object(), body);
 }
 
 JAUSCAT_FUNCTION std::string entry::to_text(std::span<const std::byte> body, std::size_t indent) const {

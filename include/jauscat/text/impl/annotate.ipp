@@ -13,13 +13,12 @@ namespace detail {
 /// Walks over a decoded message; the sizes of its values say where each begins.
 class annotator {
   public:
-    annotator(std::span<const std::byte> bytes, std::size_t first_offset, std::string_view indent)
-        : bytes_{bytes}, first_offset_{first_offset}, indent_{indent} {}
+    explicit annotator(std::size_t size) : size_{size} {}
 
     void fields(const structure& type, const void* object, const std::string& path) {
         const scope here{type.id, object, inner_};
         inner_ = &here;
-        std::string row; // the bit-fields of one integer
+        std::vector<annotated_field> bit_fields; // of one integer
         for (std::size_t i = 0; i != type.members.size(); ++i) {
             const member& one = type.members[i];
             std::string name = path + std::string{one.name};
@@ -30,7 +29,7 @@ class annotator {
                 if (type.members[i + 1].find(object) == nullptr) break;
                 [[fallthrough]];
             case member::role::presence_vector:
-            case member::role::constant: line(name, number_text(one, one.number(object)), one.least); break;
+            case member::role::constant: part(name, number_text(one, one.number(object)), one.least); break;
             case member::role::value:
                 const void* const at = one.find(object);
                 if (at == nullptr) break;
@@ -38,30 +37,21 @@ class annotator {
                     member_value(one, at, path, name);
                     break;
                 }
-                append_member(row, row.empty() ? "" : ", ", name, printer::one_line(one.name, *one.how, at));
-                if (one.ends_carrier) line(std::exchange(row, {}), one.carrier_bits / 8);
+                bit_fields.push_back({name, printer::one_line(one.name, *one.how, at)});
+                if (one.ends_carrier) part(std::exchange(bit_fields, {}), one.carrier_bits / 8);
                 break;
             }
         }
         inner_ = here.outer;
     }
-    [[nodiscard]] std::string text() && { return std::move(text_); }
+    [[nodiscard]] std::vector<annotated_part> parts() && { return std::move(parts_); }
 
   private:
-    void line(const std::string& what, std::size_t size) {
-        const auto here = bytes_.first(std::min(size, bytes_.size()));
-        std::string row = indent_ + hex_offset(first_offset_) + "  " + hex(here);
-        const std::size_t column = indent_.size() + 6 + 4 * 3 + 1; // four bytes, then the text
-        if (row.size() < column) row.append(column - row.size(), ' ');
-        text_ += row + " " + what + "\n";
-        bytes_ = bytes_.subspan(here.size());
-        first_offset_ += here.size();
+    void part(std::vector<annotated_field> fields, std::size_t size) {
+        parts_.push_back({offset_, size, std::move(fields)});
+        offset_ += size;
     }
-    void line(const std::string& name, const std::string& value, std::size_t size) {
-        std::string row;
-        append_member(row, "", name, value);
-        line(row, size);
-    }
+    void part(const std::string& path, std::string value, std::size_t size) { part({{path, std::move(value)}}, size); }
     static std::string number_text(const member& one, std::uint64_t number) {
         const bool as_hex = one.what == member::role::presence_vector || one.name == "message_id";
         return as_hex ? hex_number(number, one.least * 2) : std::to_string(number);
@@ -71,7 +61,7 @@ class annotator {
         const std::size_t size = one.least == one.most ? one.least : wire::unbounded;
         if (!std::holds_alternative<choice_form>(one.how->is)) return value(name, *one.how, at, size);
         const held_case held = case_of(one, at, inner_);
-        if (held.how == nullptr) return line(name, "none", 0);
+        if (held.how == nullptr) return part(name, "none", 0);
         if (const auto* const inner = std::get_if<structure_form>(&held.how->is))
             fields(*inner->of, held.at, path);
         else
@@ -85,7 +75,7 @@ class annotator {
                 if constexpr (requires { lines(name, is, at); })
                     lines(name, is, at);
                 else
-                    line(name, printer::one_line(name, how, at), size != wire::unbounded ? size : size_of(is, at));
+                    part(name, printer::one_line(name, how, at), size != wire::unbounded ? size : size_of(is, at));
             },
             how.is);
     }
@@ -106,40 +96,52 @@ class annotator {
     void lines(const std::string& name, const tree_form& is, const void* at) { lines(name, is.nodes, at); }
     void lines(const std::string& name, const variant_form& is, const void* at) {
         const std::size_t index = is.index(at);
-        line(name + ".index", std::to_string(index), is.bits / 8);
+        part(name + ".index", std::to_string(index), is.bits / 8);
         if (const form* const how = is.alternatives[index].how; how != nullptr) value(name, *how, is.get(at));
     }
     void lines(const std::string&, const choice_form&, const void*) {} // always a member, see member_value
 
     [[nodiscard]] std::size_t size_of(const octets_form& is, const void* at) const {
-        if (is.to_the_end) return bytes_.size();
+        if (is.to_the_end) return size_ - offset_;
         if (is.zero_filled || is.least == is.most) return is.most;
         return is.get(at).size() + (is.zero_terminated ? 1 : 0);
     }
     static std::size_t size_of(const encoded_form& is, const void* at) { return is.encode(at).size(); }
     static std::size_t size_of(const auto& is, const void*) { return is.bits / 8; }
 
-    std::span<const std::byte> bytes_; // that are left
-    std::size_t first_offset_;         // of the next one
-    std::string indent_;
+    std::size_t size_;     // of the whole message
+    std::size_t offset_{}; // of the next part
     const scope* inner_{};
-    std::string text_;
+    std::vector<annotated_part> parts_{};
 };
 
 } // namespace detail
 
 inline namespace JAUSCAT_WAY {
 
-JAUSCAT_DECL std::string annotate(const structure& type, const void* object, std::span<const std::byte> bytes,
-                                  std::size_t first_offset, std::string_view indent) {
-    detail::annotator out{bytes, first_offset, indent};
-    out.fields(type, object, {});
-    return std::move(out).text();
+JAUSCAT_DECL annotation annotated(const structure& type, const void* object, std::span<const std::byte> bytes) {
+    detail::annotator walk{bytes.size()};
+    walk.fields(type, object, {});
+    return {.parts = std::move(walk).parts()};
 }
-JAUSCAT_DECL std::string annotate(const wire::diagnosis& why, std::span<const std::byte> bytes,
-                                  std::size_t first_offset, std::string_view indent) {
+
+JAUSCAT_DECL std::string to_text(const annotation& told, std::span<const std::byte> bytes, std::size_t first_offset,
+                                 std::string_view indent) {
     const std::string before{indent};
-    return hex_dump(bytes, before, first_offset) + before + text::to_text(why, first_offset) + "\n";
+    if (told.fault.error != wire::errc::ok)
+        return hex_dump(bytes, before, first_offset) + before + text::to_text(told.fault, first_offset) + "\n";
+    const std::size_t column = before.size() + 6 + 4 * 3 + 1; // four bytes, then the text
+    std::string text;
+    for (const annotated_part& part : told.parts) {
+        std::string row = before + hex_offset(first_offset + part.offset);
+        row += "  " + hex(bytes.subspan(part.offset, part.size));
+        if (row.size() < column) row.append(column - row.size(), ' ');
+        std::string_view separator = " ";
+        for (const annotated_field& field : part.fields)
+            detail::append_member(row, std::exchange(separator, ", "), field.path, field.value);
+        text += row + "\n";
+    }
+    return text;
 }
 
 } // namespace JAUSCAT_WAY
