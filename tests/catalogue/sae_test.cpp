@@ -93,6 +93,32 @@ TEST_CASE("query and report of SAE name each other where the list has both") {
     CHECK(queries == 99);
 }
 
+TEST_CASE("a value outside its value set is told apart from bytes that are no message, and accepted on request") {
+    const auto& emergency = *catalogue::sae().find(std::uint16_t{0x0006});
+    const auto body = from_hex("0600 0000");
+    const auto refused = emergency.decode(body);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().error == wire::errc::outside_value_set);
+    CHECK(refused.error().field == "emergency_code");
+    const auto message = emergency.decode(body, wire::tolerate_values);
+    REQUIRE(message);
+    CHECK(message->outside_values() == std::vector<std::string>{"emergency_code"});
+    CHECK(message->to_text() == "  emergency_code = 0x0000 (outside its values)\n");
+    CHECK(emergency.annotate(body).find("emergency_code = 0x0 (outside its values)") != std::string::npos);
+    CHECK(message->encode().error() == wire::errc::outside_value_set);
+    CHECK(to_hex(*message->encode(wire::tolerate_values)) == "06 00 00 00");
+    CHECK(emergency.decode(from_hex("0600 01"), wire::tolerate_values).error().error == wire::errc::truncated);
+    const auto stop = emergency.decode(from_hex("0600 0100"), wire::tolerate_values);
+    CHECK(stop->outside_values().empty());
+    CHECK(stop->encode());
+    // A time with 1023 ms: two bit-fields of a structure that is shown as one integer.
+    const auto& pose = *catalogue::sae().find(std::uint16_t{0x4402});
+    const auto late = pose.decode(from_hex("0244 8000 ffffffff"), wire::tolerate_values);
+    REQUIRE(late);
+    CHECK(late->outside_values().front() == "time_stamp.milliseconds");
+    CHECK(late->to_text().ends_with(" (outside its values)\n"));
+}
+
 TEST_CASE("mobility 1.0 has other bytes for Local Vector, and the rest of 1.1") {
     const auto speed = from_hex("0804 01 ffff");
     CHECK(catalogue::sae_mobility_1_0().find(std::uint16_t{0x0408})->to_text(speed).find("speed") != std::string::npos);
@@ -132,7 +158,7 @@ TEST_CASE("every golden message of SAE that is cut is refused, and the reason is
 }
 
 TEST_CASE("every golden message of SAE with one changed byte is an error or another message that comes back") {
-    std::size_t errors = 0, messages = 0;
+    std::size_t errors = 0, messages = 0, outsiders = 0;
     for (const auto& [type, payload] : golden()) {
         auto changed = payload;
         for (std::size_t at = 0; at != payload.size(); ++at) {
@@ -140,21 +166,29 @@ TEST_CASE("every golden message of SAE with one changed byte is an error or anot
             const unsigned step = payload.size() <= 16 ? 1 : 37;
             for (unsigned change = 1; change < 256; change += step) {
                 changed[at] = payload[at] ^ static_cast<std::byte>(change);
-                const auto message = type->decode(changed);
+                const auto message = type->decode(changed, wire::tolerate_values);
                 if (!message) {
                     ++errors;
                     continue;
                 }
                 ++messages;
-                const auto bytes = message->encode();
+                const auto bytes = message->encode(wire::tolerate_values);
                 if (!bytes) FAIL(type->name() << ": what decodes does not encode: " << to_hex(changed));
-                const auto other = type->decode(*bytes);
-                if (!other || *other->encode() != *bytes)
+                const auto other = type->decode(*bytes, wire::tolerate_values);
+                if (!other || *other->encode(wire::tolerate_values) != *bytes)
                     FAIL(type->name() << ": the message does not come back: " << to_hex(changed));
+                const auto outside = message->outside_values();
+                outsiders += outside.empty() ? 0 : 1;
+                if ((message->encode().error() == wire::errc::outside_value_set) == outside.empty())
+                    FAIL(type->name() << ": outside_values and encode disagree: " << to_hex(changed));
+                const auto strict = outside.empty() ? wire::diagnosis{} : type->decode(changed).error();
+                if (!outside.empty() && text::field_path(strict) != outside.front())
+                    FAIL(type->name() << ": " << text::field_path(strict) << " is not " << outside.front());
             }
             changed[at] = payload[at];
         }
     }
     CHECK(errors > 10'000);
     CHECK(messages > 100'000);
+    CHECK(outsiders > 1'000);
 }

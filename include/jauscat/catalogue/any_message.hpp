@@ -26,7 +26,16 @@ class any_message {
     }
 
     /// The body. Errors: those of wire::encode.
-    [[nodiscard]] result<std::vector<std::byte>, wire::errc> encode() const { return data_->encode(object_.get()); }
+    [[nodiscard]] result<std::vector<std::byte>, wire::errc> encode() const {
+        if (const wire::errc error = data_->check_values(object_.get()); error != wire::errc::ok) return error;
+        return encode(wire::tolerate_values);
+    }
+    /// The same, and accepts values outside their value sets.
+    [[nodiscard]] result<std::vector<std::byte>, wire::errc> encode(wire::tolerate_values_tag) const {
+        return data_->encode(object_.get());
+    }
+    /// The fields with values outside their value sets: `object[2].type`.
+    [[nodiscard]] JAUSCAT_FUNCTION std::vector<std::string> outside_values() const;
     /// The fields, a line each; `indent` spaces before them.
     [[nodiscard]] JAUSCAT_FUNCTION std::string to_text(std::size_t indent = 2) const;
 

@@ -6,6 +6,7 @@
 #include <jauscat/text/error.hpp>
 #include <jauscat/text/structure.hpp>
 #include <jauscat/wire/diagnosis.hpp>
+#include <jauscat/wire/value_set.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -32,7 +33,8 @@ struct entry_data {
     void* (*make)(){};
     void (*destroy)(void* object){};
     result<std::size_t, wire::errc> (*decode)(void* object, std::span<const std::byte> body, wire::arena&){};
-    result<std::vector<std::byte>, wire::errc> (*encode)(const void* object){};
+    wire::errc (*check_values)(const void* object){};
+    result<std::vector<std::byte>, wire::errc> (*encode)(const void* object){}; ///< tolerates values
     wire::diagnosis (*diagnose)(std::span<const std::byte> body, wire::errc error){};
 };
 
@@ -65,6 +67,9 @@ class entry {
     [[nodiscard]] JAUSCAT_FUNCTION any_message make() const;
     /// The message of a body, which is copied, or where and why it does not decode.
     [[nodiscard]] JAUSCAT_FUNCTION result<any_message, wire::diagnosis> decode(std::span<const std::byte> body) const;
+    /// The same, and accepts values outside their value sets.
+    [[nodiscard]] JAUSCAT_FUNCTION result<any_message, wire::diagnosis> decode(std::span<const std::byte> body,
+                                                                               wire::tolerate_values_tag) const;
     /// From `propulsive_linear_effort_x=50 ...`, in one line or as words; see text/from_text.hpp.
     [[nodiscard]] JAUSCAT_FUNCTION result<any_message, text::error> from_text(std::string_view line) const;
     [[nodiscard]] JAUSCAT_FUNCTION result<any_message, text::error>
@@ -88,6 +93,8 @@ class entry {
     // It points at the bytes of the body.
     [[nodiscard]] JAUSCAT_FUNCTION result<any_message, wire::errc> decoded(std::span<const std::byte> body,
                                                                            bool tolerates_values) const;
+    [[nodiscard]] JAUSCAT_FUNCTION result<any_message, wire::diagnosis> decode(std::span<const std::byte> body,
+                                                                               bool tolerates_values) const;
     const detail::entry_data* data_;
 };
 

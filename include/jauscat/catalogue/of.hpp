@@ -71,10 +71,11 @@ inline constexpr entry_data data_of{
     .destroy = [](void* object) { delete static_cast<T*>(object); },
     .decode = [](void* object, std::span<const std::byte> body,
                  wire::arena& memory) { return wire::decode(*static_cast<T*>(object), body, memory); },
+    .check_values = [](const void* object) { return wire::check_values(*static_cast<const T*>(object)); },
     .encode = [](const void* object) -> result<std::vector<std::byte>, wire::errc> {
         const T& message = *static_cast<const T*>(object);
         std::vector<std::byte> body(wire::encoded_size(message));
-        if (const auto written = wire::encode(message, body); !written) return written.error();
+        if (const auto written = wire::encode(message, body, wire::tolerate_values); !written) return written.error();
         return body;
     },
     .diagnose = [](std::span<const std::byte> body, wire::errc error) { return wire::diagnose<T>(body, error); }};

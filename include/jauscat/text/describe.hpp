@@ -138,7 +138,10 @@ template <class T, class Item> constexpr void append(member*& out) {
                     .find = &access_of<Item>::find,
                     .make = &access_of<Item>::make};
         if constexpr (requires { Item::width; }) {
-            made.how = &bit_form<value_type, Item::width>;
+            if constexpr (requires { typename Item::value_set; })
+                made.how = &bit_form<value_type, Item::width, Item>;
+            else
+                made.how = &bit_form<value_type, Item::width>;
         } else if constexpr (requires { Item::takes_bit; }) {
             made.what = member::role::flag;
             made.how = &bit_form<bool, 1>;
@@ -169,7 +172,7 @@ template <class T, class Item> constexpr void append(member*& out) {
             if constexpr (counter::before) {
                 *out++ = member{.what = member::role::count,
                                 .name = Item::count_type::name(),
-                                .how = &number_form<typename Item::count_type::codec_type>,
+                                .how = &count_form<typename Item::count_type>,
                                 .number = &access_of<Item>::size,
                                 .least = Item::count_type::prefix_size,
                                 .most = Item::count_type::prefix_size};

@@ -19,6 +19,11 @@ namespace jauscat::text {
 struct structure;
 struct form;
 
+/// Numbers of a value set, both included; negative ones in two's complement.
+struct number_range {
+    std::uint64_t least{}, most{};
+};
+
 /// An integer of up to 64 bits; also enumerations, sets of flags and bool.
 struct integer_form {
     enum class meaning : std::uint8_t { number, enumeration, flags, boolean };
@@ -28,9 +33,22 @@ struct integer_form {
     std::string_view unit{};                   ///< empty: none
     std::span<const std::string_view> names{}; ///< of enumerators or bits, by number; empty where one has no name
     std::string_view type{};                   ///< name of the enumeration of `names`
+    std::span<const number_range> values{};    ///< its value set; empty: all
     std::uint64_t (*get)(const void* value){}; ///< a negative number in two's complement
     void (*set)(void* value, std::uint64_t){};
 };
+
+/// Whether a number is outside the value set.
+[[nodiscard]] constexpr bool is_outside(const integer_form& form, std::uint64_t number) noexcept {
+    for (const auto [least, most] : form.values) {
+        const bool below =
+            form.is_signed ? static_cast<std::int64_t>(number) < static_cast<std::int64_t>(least) : number < least;
+        const bool above =
+            form.is_signed ? static_cast<std::int64_t>(number) > static_cast<std::int64_t>(most) : number > most;
+        if (!below && !above) return false;
+    }
+    return !form.values.empty();
+}
 
 /// A floating-point number that travels as it is.
 struct real_form {

@@ -72,6 +72,8 @@ inline std::string set_bits(std::span<const std::string_view> names, unsigned bi
     }
     return text.empty() ? "none" : text;
 }
+/// Marks a value that the standard does not define.
+inline constexpr std::string_view outside_mark = " (outside its values)";
 inline void append_member(std::string& text, std::string_view separator, std::string_view name,
                           std::string_view value) {
     (((text += separator) += name) += " = ") += value;

@@ -3,6 +3,7 @@
 #include <jauscat/text/structure.hpp>
 #include <jauscat/text/value.hpp>
 #include <jauscat/wire/schema.hpp>
+#include <jauscat/wire/value_set.hpp>
 
 namespace jauscat::text::detail {
 
@@ -71,15 +72,56 @@ template <class Codec> constexpr std::string_view unit_of() {
         return {};
 }
 
-template <class Value, unsigned Bits> constexpr integer_form integer_of(std::string_view unit = {}) {
-    integer_form made{.bits = Bits, .unit = unit, .get = &simple<Value>::get, .set = &simple<Value>::set};
+constexpr std::uint64_t two_s_complement(auto value) {
+    return static_cast<std::uint64_t>(wire::detail::integer_in(value));
+}
+/// The numbers of a value set; none where it has a part of the user's own.
+template <class Set> inline constexpr std::array<number_range, 0> numbers_in{};
+template <auto Least, auto Most>
+inline constexpr std::array<number_range, 1> numbers_in<wire::between<Least, Most>>{
+    number_range{two_s_complement(Least), two_s_complement(Most)}};
+template <auto... Values>
+inline constexpr std::array<number_range, sizeof...(Values)> numbers_in<wire::one_of<Values...>>{
+    number_range{two_s_complement(Values), two_s_complement(Values)}...};
+template <class... Parts> consteval auto joined_numbers() {
+    constexpr bool is_known = ((numbers_in<Parts>.size() != 0) && ...);
+    std::array<number_range, is_known ? (numbers_in<Parts>.size() + ...) : 0> all{};
+    auto at = all.begin();
+    if constexpr (is_known) ((at = std::ranges::copy(numbers_in<Parts>, at).out), ...);
+    return all;
+}
+template <class... Parts>
+inline constexpr auto numbers_in<wire::detail::joined_values<Parts...>> = joined_numbers<Parts...>();
+/// Of a codec, a bit-field or a count.
+template <class Coded> constexpr std::span<const number_range> values_of() {
+    if constexpr (requires { typename Coded::value_set; })
+        return numbers_in<typename Coded::value_set>;
+    else
+        return {};
+}
+
+/// How many values from 0 on may have a name.
+template <class Coded, unsigned Bits> constexpr std::size_t named_values() {
+    std::uint64_t most = 0;
+    for (const number_range& one : values_of<Coded>()) most = std::max(most, one.most);
+    const std::uint64_t all = std::uint64_t{1} << std::min(Bits, 8U);
+    return static_cast<std::size_t>(values_of<Coded>().empty() ? all : std::min(most + 1, all));
+}
+
+/// `Coded`: a codec, or a bit-field.
+template <class Value, unsigned Bits, class Coded> constexpr integer_form integer_of(std::string_view unit = {}) {
+    integer_form made{.bits = Bits,
+                      .unit = unit,
+                      .values = values_of<Coded>(),
+                      .get = &simple<Value>::get,
+                      .set = &simple<Value>::set};
     if constexpr (requires { typename Value::bit_type; }) {
         made.what = integer_form::meaning::flags;
         made.names = enumerator_names<typename Value::bit_type, Bits>;
         made.type = wire::type_name<typename Value::bit_type>();
     } else if constexpr (std::is_enum_v<Value>) {
         made.what = integer_form::meaning::enumeration;
-        made.names = enumerator_names<Value, std::size_t{1} << std::min(Bits, 8U)>;
+        made.names = enumerator_names<Value, named_values<Coded, Bits>()>;
         made.type = wire::type_name<Value>();
     } else if constexpr (std::is_same_v<Value, bool>) {
         made.what = integer_form::meaning::boolean;
@@ -120,14 +162,17 @@ template <class Value, class Codec> constexpr form form_by_codec() {
                     std::ranges::copy(bytes, static_cast<Value*>(value)->begin());
                 }}};
     } else {
-        return {integer_of<Value, static_cast<unsigned>(Codec::size * 8)>(unit_of<Codec>())};
+        return {integer_of<Value, static_cast<unsigned>(Codec::size * 8), Codec>(unit_of<Codec>())};
     }
 }
 template <class Value, class Codec> inline constexpr form codec_form = form_by_codec<Value, Codec>();
-template <class Value, std::size_t Width>
-inline constexpr form bit_form{integer_of<Value, static_cast<unsigned>(Width)>()};
-/// A count or a presence vector.
+template <class Value, std::size_t Width, class Field = void>
+inline constexpr form bit_form{integer_of<Value, static_cast<unsigned>(Width), Field>()};
+/// A presence vector or a constant.
 template <class Codec> inline constexpr form number_form{integer_form{.bits = static_cast<unsigned>(Codec::size * 8)}};
+template <class Count>
+inline constexpr form count_form{
+    integer_form{.bits = static_cast<unsigned>(Count::codec_type::size * 8), .values = values_of<Count>()}};
 
 template <class Value> std::span<const std::byte> octets_of(const void* value) {
     const auto& held = *static_cast<const Value*>(value);

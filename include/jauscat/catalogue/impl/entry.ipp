@@ -1,6 +1,7 @@
 #pragma once
 #include <jauscat/catalogue/any_message.hpp>
 #include <jauscat/text/from_text.hpp>
+#include <jauscat/text/outside_values.hpp>
 #include <jauscat/text/print.hpp>
 
 namespace jauscat::catalogue {
@@ -20,12 +21,20 @@ JAUSCAT_FUNCTION result<any_message, wire::errc> entry::decoded(std::span<const 
                                 });
 }
 
-JAUSCAT_FUNCTION result<any_message, wire::diagnosis> entry::decode(std::span<const std::byte> body) const {
+JAUSCAT_FUNCTION result<any_message, wire::diagnosis> entry::decode(std::span<const std::byte> body,
+                                                                    bool tolerates_values) const {
     std::vector<std::byte> bytes{body.begin(), body.end()};
-    auto made = decoded(bytes, false);
+    auto made = decoded(bytes, tolerates_values);
     if (!made) return data_->diagnose(bytes, made.error());
     made->bytes_ = std::move(bytes); // the same memory
     return std::move(*made);
+}
+JAUSCAT_FUNCTION result<any_message, wire::diagnosis> entry::decode(std::span<const std::byte> body) const {
+    return decode(body, false);
+}
+JAUSCAT_FUNCTION result<any_message, wire::diagnosis> entry::decode(std::span<const std::byte> body,
+                                                                    wire::tolerate_values_tag) const {
+    return decode(body, true);
 }
 
 JAUSCAT_FUNCTION wire::diagnosis entry::diagnose(std::span<const std::byte> body) const {
@@ -45,6 +54,9 @@ JAUSCAT_FUNCTION result<any_message, text::error> entry::from_text(std::string_v
     return from_words(*words);
 }
 
+JAUSCAT_FUNCTION std::vector<std::string> any_message::outside_values() const {
+    return text::outside_values(data_->fields(), object_.get());
+}
 JAUSCAT_FUNCTION std::string any_message::to_text(std::size_t indent) const {
     return text::to_text(data_->fields(), object_.get(), indent);
 }

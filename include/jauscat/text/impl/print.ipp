@@ -2,6 +2,7 @@
 #pragma once
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/message_name.hpp>
+#include <jauscat/text/outside_values.hpp>
 #include <jauscat/text/print.hpp>
 #include <jauscat/text/quoted.hpp>
 #include <jauscat/text/value.hpp>
@@ -45,7 +46,9 @@ class printer {
                 line(one.name, hex_number(one.number(object), std::get<integer_form>(one.how->is).bits / 4));
                 break;
             case member::role::count:
-                if (type.members[i + 1].find(object) != nullptr) line(one.name, std::to_string(one.number(object)));
+                if (type.members[i + 1].find(object) != nullptr)
+                    line(one.name, marked(std::to_string(one.number(object)), std::get<integer_form>(one.how->is),
+                                          one.number(object)));
                 break;
             case member::role::flag:
             case member::role::value:
@@ -100,8 +103,13 @@ class printer {
             how.is);
     }
 
+    static std::string marked(std::string text, const integer_form& is, std::uint64_t number) {
+        return is_outside(is, number) ? std::move(text) += outside_mark : text;
+    }
     static std::string one_line(std::string_view name, const integer_form& is, const void* at) {
-        const std::uint64_t number = is.get(at);
+        return marked(integer_text(name, is, is.get(at)), is, is.get(at));
+    }
+    static std::string integer_text(std::string_view name, const integer_form& is, std::uint64_t number) {
         switch (is.what) {
         case integer_form::meaning::boolean: return number != 0 ? "true" : "false";
         case integer_form::meaning::flags:
@@ -135,8 +143,9 @@ class printer {
         return sized_hex(is.encode(at));
     }
     static std::string one_line(std::string_view, const packed_form& is, const void* at) {
-        if (is.show != nullptr) return is.show(at) + " (raw " + std::to_string(is.get(at)) + ")";
-        return hex_number(is.get(at), is.bits / 4);
+        std::string text = is.show != nullptr ? is.show(at) + " (raw " + std::to_string(is.get(at)) + ")"
+                                              : hex_number(is.get(at), is.bits / 4);
+        return outside_values(*is.of, at).empty() ? text : std::move(text) += outside_mark;
     }
 
     void lines(std::string_view name, const structure_form& is, const void* at) {
