@@ -350,3 +350,52 @@ TEST_CASE("wrong arguments of --ethercat and captures without EtherCAT are repor
     says("--ethercat seed /nowhere.pcap", "/nowhere.pcap");
     CHECK(run("--help").says("jausdump ring.pcap --ethercat seed --subsystem 2\n"));
 }
+
+TEST_CASE("messages of SAE JAUS are shown by their table, and encoded again to the bytes before translation") {
+    // SetAuthority 35 to 258.2.33 from 65534.4.3: object 2021h:1, 10 bytes. SetWrenchEffort, one effort: 2121h:2.
+    const auto authority = write_to(2, 1, "0020 21 2120 01 0a000000 06 0201 0304feff 23 2200");
+    const auto effort = write_to(2, 2, "0020 21 2121 02 0d000000 06 0201 0304feff 0100 ffbf 0700");
+    const auto other = write_to(2, 3, "0020 21 1b15 1a 0c000000" + wrench);
+    const auto result =
+        run_ring("sae --format json --reencode", {authority, read_from(2, 1, "0030 60 2120 01 00000000"), effort,
+                                                  read_from(2, 2, "0030 60 2121 02 00000000"), other});
+    CHECK(result.code == 0);
+    const auto objects = result.objects();
+    REQUIRE(objects.size() == 2);
+    CHECK(objects[0].at("message") == "SetAuthority");
+    CHECK(objects[0].at("generation") == "SAE");
+    CHECK(objects[0].at("fields") == json{{"authority_code", 35}});
+    CHECK(objects[0].at("header").at("destination") == json{{"subsystem", 258}, {"node", 2}, {"component", 33}});
+    CHECK(objects[0].at("header").at("source") == json{{"subsystem", 65534}, {"node", 4}, {"component", 3}});
+    CHECK(objects[0].at("hex") == "0011000621020201030"
+                                  "4feff0100232200");
+    CHECK(objects[0].at("origin").at("object") == "0x2021:1");
+    CHECK(objects[1].at("message") == "SetWrenchEffort");
+    CHECK(objects[1].at("fields").contains("propulsive_linear_effort_x"));
+    CHECK(summary_of("sae", {other}).at("skipped") == json{{"SDO of an object that is not a JAUS component's", 1}});
+}
+
+TEST_CASE("a refused message of SAE JAUS is shown with its name; an object without a message as unknown") {
+    const auto authority = write_to(2, 1, "0020 21 2120 01 0a000000 06 0201 0304feff 23 2200");
+    const auto refused =
+        run_ring("sae --format json", {authority, read_from(2, 1, "0030 80 2120 01 30000906")}).objects();
+    REQUIRE(refused.size() == 2);
+    CHECK(refused[1].at("message") == "SetAuthority");
+    CHECK(refused[1].at("code") == "0x0001");
+    CHECK(refused[1].at("header").at("sequence_number") == 0x22);
+    CHECK(refused[1].at("refusal").at("code") == "0x06090030");
+    // An upload that is refused has no data: object and station say what it was.
+    const auto asked = run_ring("sae --format json", {write_to(2, 1, "0020 40 2120 27 00000000"),
+                                                      read_from(2, 1, "0030 80 2120 27 24000008")})
+                           .objects();
+    REQUIRE(asked.size() == 1);
+    CHECK(asked[0].at("message") == "ReportStatus");
+    CHECK(asked[0].at("header").at("destination") == json{{"subsystem", 0}, {"node", 2}, {"component", 33}});
+    const auto unknown =
+        run_ring("sae --format json", {write_to(2, 1, "0020 21 2120 63 0a000000 06 0201 0304feff 23 2200")});
+    CHECK(unknown.code == 1);
+    CHECK(unknown.objects().at(0).at("error").at("error") == "unknown_subindex");
+    CHECK(run("--ethercat sae --subsystem 2 x").code == 2);
+    CHECK(run("--ethercat sae --index-base 6900 x").code == 2);
+    CHECK(run_ring("sae --index-base 0x6900 --format json", {authority}).objects().empty());
+}

@@ -89,6 +89,7 @@ inline std::string udp_packet(const std::string& payload, const std::string& fra
 }
 inline std::string ethernet_frame(const std::string& packet) { return "020000000002 020000000001 0800 " + packet; }
 
-inline constexpr std::uint32_t link_null = 0, link_ethernet = 1, link_raw = 101, link_cooked = 113, link_cooked_2 = 276;
+inline constexpr std::uint32_t link_null = 0, link_ethernet = 1, link_raw = 101, link_cooked = 113, link_cooked_2 = 276,
+                               link_user0 = 147, link_rtac_serial = 250;
 
 } // namespace dump_test

@@ -176,3 +176,29 @@ TEST_CASE("a damaged frame of a serial line is shown as broken, and so is one th
     CHECK(run("--jserial").code == 2);
     CHECK(run("--jserial /nowhere").err.find("No such file") != std::string::npos);
 }
+
+TEST_CASE("a capture of a serial line is shown, both directions apart") {
+    const scratch files;
+    const auto sent = jauscat::test::to_hex(frame_of(request)), received = jauscat::test::to_hex(frame_of(query));
+    const auto head = [](const std::string& event) { return "3b9aca00 00000064 " + event + " 15 0000"; };
+    dump_test::write_capture(files / "rtac", dump_test::link_rtac_serial,
+                             {head("01") + part_of(sent, 0, 9), head("00"), head("02") + received,
+                              head("03") + part_of(sent, 9), head("04") + part_of(received, 0, 8)});
+    const auto result = run("--format json --reencode " + (files / "rtac"));
+    CHECK(result.code == 1);
+    const auto objects = result.objects();
+    REQUIRE(objects.size() == 3);
+    CHECK(objects[0].at("message") == "QueryStatus");
+    CHECK(objects[0].at("origin").at("from") == "RX");
+    CHECK(objects[0].at("origin").at("packet") == 3);
+    CHECK(objects[1].at("hex") == "0011000106050400030201000d00230700");
+    CHECK(objects[1].at("origin").at("from") == "TX");
+    CHECK(objects[1].at("origin").at("packet") == 4);
+    CHECK(objects[2].at("error").at("error") == "truncated");
+
+    dump_test::write_capture(files / "user", dump_test::link_user0 + 7,
+                             {sent + part_of(received, 0, 9), part_of(received, 9)});
+    CHECK(run("--format json --summary " + (files / "user")).objects().at(0).at("decoded") == 2);
+    dump_test::write_capture(files / "short", dump_test::link_rtac_serial, {"3b9aca00"});
+    CHECK(run(files / "short").says("1 skipped: shorter than its RTAC serial header"));
+}

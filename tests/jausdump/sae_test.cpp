@@ -88,6 +88,19 @@ TEST_CASE("a broken payload is shown with the field and byte at fault, an unknow
     CHECK(text.says("         0000  fe d0 01 02 03\n"));
 }
 
+TEST_CASE("a value outside its value set is marked, and encoded again to the same bytes") {
+    const auto object = payload_object("06000000", "--reencode");
+    CHECK(object.at("fields") == json{{"emergency_code", 0}});
+    CHECK(object.at("outside_values") == json{"emergency_code"});
+    CHECK(object.at("hex") == "06000000");
+    CHECK_FALSE(object.contains("error"));
+    CHECK_FALSE(payload_object("06000100").contains("outside_values"));
+    const auto text = run("--sae --summary", "06000000\n060000\n");
+    CHECK(text.code == 1);
+    CHECK(text.says("2 messages: 1 decoded, 1 broken\n"));
+    CHECK(run("--sae", "06000000\n").says("         emergency_code = 0x0000 (outside its values)\n"));
+}
+
 TEST_CASE("payloads are selected by message ID and name") {
     const auto selected = [](const std::string& arguments) {
         std::string codes;

@@ -60,6 +60,22 @@ bytes behind_address_family(bytes frame) {
     return frame.subspan(4);
 }
 
+/// The one standard link type of a serial line, and those that a user defines: here its bytes alone.
+bool is_serial(int link_type) {
+    return link_type == DLT_RTAC_SERIAL || (link_type >= DLT_USER0 && link_type <= DLT_USER15);
+}
+
+void take_serial(int link_type, bytes frame, origin& from, const capture_listener& listener) {
+    from.from.clear();
+    if (link_type == DLT_RTAC_SERIAL) {
+        const auto event = take<rtac_serial_header>(frame, "RTAC serial").event;
+        if (frame.empty()) return; // a change of the line's state
+        const bool is_sent = event == rtac_event::data_tx_start || event == rtac_event::data_tx_end;
+        from.from = is_sent ? "TX" : "RX";
+    }
+    listener.serial(frame, from);
+}
+
 packet packet_of(int link_type, bytes frame) {
     switch (link_type) {
     case DLT_EN10MB: {
@@ -89,7 +105,7 @@ bool has_link_type(int link_type) {
     case DLT_LOOP:
     case DLT_RAW:
     case DLT_IPV4: return true;
-    default: return false;
+    default: return is_serial(link_type);
     }
 }
 
@@ -180,7 +196,10 @@ void pass_on(int link_type, const pcap_pkthdr& head, bytes frame, origin& from, 
     ++from.number;
     from.time = time_of(head.ts);
     try {
-        hand_over(packet_of(link_type, frame), from, listener, fragments);
+        if (is_serial(link_type))
+            take_serial(link_type, frame, from, listener);
+        else
+            hand_over(packet_of(link_type, frame), from, listener, fragments);
     } catch (const useless& packet) {
         listener.skipped(packet.reason);
     }
@@ -201,8 +220,9 @@ void read_capture(const std::string& path, const capture_listener& listener) {
     const int link_type = pcap_datalink(file.get());
     if (!has_link_type(link_type)) {
         const char* name = pcap_datalink_val_to_name(link_type);
-        throw input_error{path + ": link type " + (name != nullptr ? name : std::to_string(link_type)) +
-                          " is not supported: Ethernet, Linux cooked, raw IP and loopback are"};
+        throw input_error{
+            path + ": link type " + (name != nullptr ? name : std::to_string(link_type)) +
+            " is not supported: Ethernet, Linux cooked, raw IP, loopback, RTAC serial and USER0 to USER15 are"};
     }
 
     ip_fragments fragments;

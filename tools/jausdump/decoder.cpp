@@ -75,12 +75,13 @@ bool is_known(std::uint16_t command_code) { return example::known_messages().fin
 
 decoded_body decode_body(std::span<const std::byte> bytes, const decoding& how) {
     decoded_body body{};
-    const auto message = example::known_messages().find(how.head.command_code)->decode(bytes);
+    const auto message = example::known_messages().find(how.head.command_code)->decode(bytes, wire::tolerate_values);
     if (!message) {
         body.fault = message.error();
         return body;
     }
-    if (auto encoded = message->encode()) body.encoded = *std::move(encoded);
+    body.outside_values = message->outside_values();
+    if (auto encoded = message->encode(wire::tolerate_values)) body.encoded = *std::move(encoded);
     if (how.text) {
         body.text = message->to_text(text_indent);
     } else {

@@ -11,11 +11,12 @@ inline constexpr std::size_t text_indent = 9;
 
 /// A decoded body.
 struct decoded_body {
-    wire::diagnosis fault{};          ///< why it did not decode
-    json presence_vector{};           ///< as text; null where the message has none
-    json fields{};                    ///< null where it did not decode
-    std::string text{};               ///< the fields, a line each
-    std::vector<std::byte> encoded{}; ///< the decoded values, encoded again
+    wire::diagnosis fault{};                   ///< why it did not decode
+    json presence_vector{};                    ///< as text; null where the message has none
+    json fields{};                             ///< null where it did not decode
+    std::string text{};                        ///< the fields, a line each
+    std::vector<std::byte> encoded{};          ///< the decoded values, encoded again
+    std::vector<std::string> outside_values{}; ///< fields with values that the standard does not define
 };
 
 /// What the decoder is to do beside decoding.

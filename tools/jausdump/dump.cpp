@@ -151,9 +151,9 @@ void dump::on_unreadable_object(std::span<const std::byte> data, translate::errc
           .error = fault{.error = error_name(error), .what = "not a message: " + std::string{describe(error)}}});
 }
 
-void dump::on_refused(const jaus::header& head, const refusal& why, const origin& from) {
-    const record message{
-        .origin = from, .kind = kind::refused, .head = head, .name = name_of(head.command_code), .refusal = why};
+void dump::on_refused(record message) {
+    message.kind = kind::refused;
+    message.name = message.head ? name_of(message.head->command_code) : sae_.name_of(message.code());
     if (options_.filter.passes(message)) tell(message);
 }
 
@@ -199,6 +199,7 @@ void dump::decode(record& message, bool network) {
         message.presence_vector = std::move(decoded.presence_vector);
         message.fields = std::move(decoded.fields);
         message.text = std::move(decoded.text);
+        message.outside_values = std::move(decoded.outside_values);
         if (!decoded.fault) message.error = fault_of(decoded.fault, jaus::header_size);
         if (decoded.fault) message.ignored_bits = jaus::ignored_presence_bits(head.command_code, body);
         if (body.size() > decoded.encoded.size() && decoded.fault)

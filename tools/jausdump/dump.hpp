@@ -41,12 +41,14 @@ class dump {
     }
     /// A frame of a serial line.
     void on_serial_frame(const sae::serial_frame& frame, const origin& from);
-    /// A message that an object of an EtherCAT slave stood for.
+    /// Messages of SAE JAUS, one behind the other.
+    void on_sae_messages(std::span<const std::byte> bytes, const origin& from) { sae_.on_messages(bytes, from); }
+    /// A message of the RA that an object of an EtherCAT slave stood for.
     void on_object(std::span<const std::byte> bytes, const origin& from);
     /// The data of a component's object that are no message.
     void on_unreadable_object(std::span<const std::byte> data, jauscat::translate::errc error, const origin& from);
-    /// A message that a slave refused, or did not give.
-    void on_refused(const jaus::header& head, const refusal& why, const origin& from);
+    /// A message, by its header and code alone, that a slave refused or did not give.
+    void on_refused(record message);
     void on_lost_transfer() { summary_.lose_transfer(); }
     void on_skipped(const std::string& reason) { summary_.skip(reason); }
 

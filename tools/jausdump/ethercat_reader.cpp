@@ -9,10 +9,10 @@ ethercat_reader::ethercat_reader(const object_table& how, ethercat_listener list
                   .refused =
                       [this](const object_transfer& object, const refusal& why) {
                           if (!is_message(object, how_)) return;
-                          const auto message = message_of(object, how_);
-                          jaus::header head{};
-                          if (!wire::decode_prefix(head, message.bytes)) head = header_of(object, how_);
-                          listener_.refused(head, why, origin_of(object));
+                          record message = head_of(object, how_);
+                          message.origin = origin_of(object);
+                          message.refusal = why;
+                          listener_.refused(std::move(message));
                       },
                   .lost =
                       [this](const object_transfer& object) {

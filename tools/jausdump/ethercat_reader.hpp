@@ -8,7 +8,7 @@ struct ethercat_listener {
     std::function<void(std::span<const std::byte> message, const origin&)> message{};
     /// An object of a component with data that are no message of the table.
     std::function<void(std::span<const std::byte> data, jauscat::translate::errc, const origin&)> unreadable{};
-    std::function<void(const jaus::header&, const refusal&, const origin&)> refused{};
+    std::function<void(record)> refused{};
     std::function<void()> lost{}; ///< a message with missing segments
     std::function<void(const std::string& reason)> skipped{};
 };

@@ -1,4 +1,4 @@
-// Headers before a payload in a capture: link layers, IPv4, UDP, TCP.
+// Headers before a payload in a capture: link layers, also of serial lines, IPv4, UDP, TCP.
 #pragma once
 #include <jauscat/schema/ethercat/frame.hpp>
 #include <jauscat/wire/schema.hpp>
@@ -20,6 +20,17 @@ struct cooked_header {
 struct cooked_header_2 {
     std::uint16_t protocol{}; ///< an EtherType
     std::array<std::byte, 18> rest{};
+};
+
+/// What a record of the link type RTAC_SERIAL says; others report a change of the line's state.
+enum class rtac_event : std::uint8_t { status_change, data_tx_start, data_rx_start, data_tx_end, data_rx_end };
+
+/// RTAC_SERIAL: 12 bytes, then bytes of the serial line.
+struct rtac_serial_header {
+    std::uint32_t seconds{}, microseconds{};
+    rtac_event event{};
+    std::uint8_t control_lines{};
+    std::uint16_t footer{};
 };
 
 /// IPv4, RFC 791: 20 bytes, then options.
@@ -114,6 +125,16 @@ template <> struct wire::schema<jausdump::udp_header> {
         field<&T::destination_port, u16be>,
         field<&T::size, u16be>,
         field<&T::checksum, u16be>>;
+};
+
+template <> struct wire::schema<jausdump::rtac_serial_header> {
+    using T = jausdump::rtac_serial_header;
+    using type = layout<
+        field<&T::seconds, u32be>,
+        field<&T::microseconds, u32be>,
+        field<&T::event, enumeration<jausdump::rtac_event, u8>>,
+        field<&T::control_lines, u8>,
+        field<&T::footer, u16be>>;
 };
 
 template <> struct wire::schema<jausdump::tcp_header> {

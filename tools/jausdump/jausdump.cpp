@@ -5,6 +5,7 @@
 #include "input_lines.hpp"
 #include "listener.hpp"
 #include "serial_file.hpp"
+#include "serial_lines.hpp"
 #include "support/program.hpp"
 
 #include <fstream>
@@ -18,7 +19,7 @@ using example::usage_error;
 
 constexpr const char* help = R"(jausdump: shows JAUS messages, field by field.
 
-  jausdump [options] CAPTURE        a file of tcpdump or Wireshark: UDP and TCP over IPv4, any port
+  jausdump [options] CAPTURE        a file of tcpdump or Wireshark: UDP and TCP over IPv4, any port; serial lines
   jausdump [options] -              the same from standard input
   jausdump [options] --listen PORT  messages as they arrive, until Ctrl-C; where another program of this machine has
                                     the port, what passes it is captured (as root, or with CAP_NET_RAW)
@@ -35,13 +36,14 @@ EtherCAT (--ethercat): shows the messages in SDO transfers to and from the objec
 EtherType 88A4h or in UDP at port 34980. A message is shown when its data are complete, a refusal with its abort code.
 Other objects and mailbox protocols are counted. Octets of a JAUS ID that are not on the wire have the value that a
 slave fills in: with the seed table the subsystem of --subsystem and instance 1. An unknown octet is 0, such as the
-node of a slave whose station address is above 254.
+node of a slave whose station address is above 254. Messages of SAE JAUS are in the objects of the table sae.
 
 Examples:
   jausdump drive.pcap
   jausdump drive.pcap --name global_pose --from 1.1 --hex
   jausdump drive.pcap --summary
   jausdump ring.pcap --ethercat seed --subsystem 2
+  jausdump ring.pcap --ethercat sae
   jausdump --listen 3794 --join 224.1.0.1
   sudo tcpdump -i any -U -w - udp port 3794 | jausdump -
   echo 0602050401210202012001010400220001000040 | jausdump --format json --reencode
@@ -52,8 +54,8 @@ Examples:
 
 JSON: one object for each line, with message, code, header, presence_vector, fields; then hex (--reencode), packet
 (--translate, or the name of the error), error (error, field, and byte counted from the header), bytes (of a message
-that was not decoded), ignored_presence_bits (that stand for no field), dropped (bytes that no field holds), data_set,
-refusal (by, what, code, text), origin. Of SAE JAUS the code is the message ID, header that of the transport or null,
+that was not decoded), outside_values (fields with values that the standard does not define), ignored_presence_bits (that
+stand for no field), dropped (bytes that no field holds), data_set, refusal (by, what, code, text), origin. Of SAE JAUS the code is the message ID, header that of the transport or null,
 byte is counted from there or from the message ID, and generation "SAE" and payload_size stand before data_set.
 
 Exit code: 0 if all was decoded, 1 if a message was malformed, unknown or incomplete, 2 for a wrong command line or
@@ -109,11 +111,8 @@ std::vector<jauscat::jaus::payload_type> payload_types(const std::string& text) 
     return jausdump::parse_payload_types(content, text);
 }
 
-jausdump::translation table_choice(const po::variables_map& values, const std::string& name) {
-    using jausdump::translation;
-    return choice<translation>(values, name,
-                               {{"seed", translation::seed}, {"self-contained", translation::self_contained}});
-}
+constexpr std::pair<const char*, jausdump::translation> seed{"seed", jausdump::translation::seed},
+    self_contained{"self-contained", jausdump::translation::self_contained}, sae{"sae", jausdump::translation::sae};
 
 /// What --ethercat and the options that go with it say.
 jausdump::object_table object_table_from(const po::variables_map& values) {
@@ -123,13 +122,20 @@ jausdump::object_table object_table_from(const po::variables_map& values) {
             if (values.count(name) != 0) throw usage_error{"--" + name + " needs --ethercat seed or self-contained"};
         return {};
     }
-    jausdump::object_table table{.table = table_choice(values, "ethercat"),
+    jausdump::object_table table{.table =
+                                     choice<jausdump::translation>(values, "ethercat", {seed, self_contained, sae}),
                                  .fixed_length = values.count("fixed-length") != 0};
+    const bool is_sae = table.table == jausdump::translation::sae;
+    if (is_sae) table.index_base = bases::manufacturer_index_base;
+    for (const std::string name : {"subsystem", "fixed-length"})
+        if (is_sae && values.count(name) != 0) throw usage_error{"--" + name + " does not go with --ethercat sae"};
     if (values.count("index-base") != 0)
         table.index_base = static_cast<std::uint16_t>(choice<std::uint32_t>(values, "index-base",
                                                                             {{"6900", bases::seed_index_base},
                                                                              {"0x2000", bases::manufacturer_index_base},
                                                                              {"0x6900", bases::profile_index_base}}));
+    if (is_sae && table.index_base == bases::seed_index_base)
+        throw usage_error{"--index-base must be 0x2000 or 0x6900 with --ethercat sae"};
     if (values.count("subsystem") != 0) {
         const auto subsystem = values["subsystem"].as<unsigned>();
         if (subsystem < 1 || subsystem > 254) throw usage_error{"--subsystem must be 1 to 254"};
@@ -153,7 +159,8 @@ jausdump::options options_from(const po::variables_map& values) {
         .summary_only = values.count("summary") != 0,
         .colours = example::colours(),
     };
-    if (values.count("translate") != 0) made.translation = table_choice(values, "translate");
+    if (values.count("translate") != 0)
+        made.translation = choice<jausdump::translation>(values, "translate", {seed, self_contained});
     if (values.count("payload-types") != 0)
         made.payload_types = payload_types(values["payload-types"].as<std::string>());
     return made;
@@ -195,16 +202,13 @@ jausdump::jtcp_streams streams_of(jausdump::dump& dump) {
 
 /// The bytes of a serial line.
 void read_serial(jausdump::dump& dump, const std::string& path) {
-    std::vector<std::byte> memory(0xFFFF);
-    jauscat::sae::jserial_reader frames{memory};
     jausdump::origin from{.place = "frame"};
-    const auto take = [&](const jauscat::sae::serial_frame& frame) {
+    jausdump::serial_lines line{[&](const auto& frame, const auto&) {
         if (frame.error != jauscat::sae::transport_errc::noise) ++from.number;
         dump.on_serial_frame(frame, from);
-    };
-    jausdump::read_bytes(path, [&](auto part) { frames.on_bytes(part, take); }, stopped);
-    // The beginning of another frame shows one that is cut off.
-    frames.on_bytes(std::array{std::byte{0x10}, std::byte{0x01}}, take);
+    }};
+    jausdump::read_bytes(path, [&](auto part) { line.on_bytes(part, from); }, stopped);
+    line.finish();
 }
 
 void read_file(jausdump::dump& dump, const std::string& path, const jausdump::object_table& table) {
@@ -217,24 +221,32 @@ void read_file(jausdump::dump& dump, const std::string& path, const jausdump::ob
         .stop = stopped};
     jausdump::ethercat_reader ring{
         table,
-        {.message = [&](auto message, const auto& from) { dump.on_object(message, from); },
+        {.message =
+             [&](auto message, const auto& from) {
+                 table.table == jausdump::translation::sae ? dump.on_sae_messages(message, from)
+                                                           : dump.on_object(message, from);
+             },
          .unreadable = [&](auto data, auto error, const auto& from) { dump.on_unreadable_object(data, error, from); },
-         .refused = [&](const auto& head, const auto& why, const auto& from) { dump.on_refused(head, why, from); },
+         .refused = [&](jausdump::record message) { dump.on_refused(std::move(message)); },
          .lost = [&] { dump.on_lost_transfer(); },
          .skipped = skipped}};
     jausdump::jtcp_streams streams = streams_of(dump);
     listener.tcp = [&](const auto& segment, const auto& from) { streams.on_segment(segment, from); };
+    jausdump::serial_lines lines{[&](const auto& frame, const auto& from) { dump.on_serial_frame(frame, from); }};
+    listener.serial = [&](auto part, const auto& from) { lines.on_bytes(part, from); };
     const bool wants_ring = table.table != jausdump::translation::none;
     if (wants_ring) listener.ethercat = [&](auto frame, const auto& from) { ring.read(frame, from); };
     try {
         jausdump::read_capture(path, listener);
     } catch (const jausdump::input_error&) {
         streams.finish();
+        lines.finish();
         ring.finish();
         throw;
     }
     shown.end();
     streams.finish();
+    lines.finish();
     ring.finish();
     if (wants_ring && ring.frames() == 0 && !stopped())
         throw jausdump::input_error{path + ": holds no EtherCAT: no frame of EtherType 0x88A4, nothing at UDP port "
@@ -315,9 +327,9 @@ int main(int argc, char** argv) {
             ("reencode", "add the message encoded again from the decoded values")
             ("translate", po::value<std::string>(), "add the SDO download packet, by the table seed or self-contained")
             ("ethercat", po::value<std::string>(),
-             "show the messages in SDO transfers of a capture, by the table seed or self-contained")
+             "show the messages in SDO transfers of a capture, by the table seed, self-contained or sae")
             ("index-base", po::value<std::string>(),
-             "object index of component 0, with --ethercat: 6900 (the default), 0x2000 or 0x6900")
+             "object index of component 0, with --ethercat: 6900 (the default; not of sae), 0x2000 (its default) or 0x6900")
             ("fixed-length", "with --ethercat: every object is padded to one size, and begins with its length")
             ("subsystem", po::value<unsigned>(),
              "JAUS subsystem of the slaves, with --ethercat seed, whose table does not carry it")

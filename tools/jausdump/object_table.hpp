@@ -1,5 +1,6 @@
 // Objects of EtherCAT slaves as JAUS messages, under a translation table.
 #pragma once
+#include "record.hpp"
 #include "sdo_reader.hpp"
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/translation/index_bases.hpp>
@@ -7,7 +8,7 @@
 
 namespace jausdump {
 
-enum class translation { none, seed, self_contained };
+enum class translation { none, seed, self_contained, sae };
 
 /// The table that the master of a capture has used.
 struct object_table {
@@ -26,7 +27,8 @@ struct object_message {
 /// Whether the object is a message of a component.
 bool is_message(const object_transfer& object, const object_table& how);
 object_message message_of(const object_transfer& object, const object_table& how);
-/// What object and station say of the message's header: command code, destination component and node; the rest is 0.
-jaus::header header_of(const object_transfer& object, const object_table& how);
+/// Header and code of the object's message, without its content. Where its data are no message, what object and station
+/// say: code, destination component and node; the rest is 0.
+record head_of(const object_transfer& object, const object_table& how);
 
 } // namespace jausdump

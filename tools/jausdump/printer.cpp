@@ -215,6 +215,7 @@ std::string to_json_line(const record& message) {
     if (message.error) object["error"] = error_object(*message.error);
     if (message.kind == kind::unknown || message.kind == kind::broken)
         object["bytes"] = text::detail::plain_hex(message.bytes);
+    if (!message.outside_values.empty()) object["outside_values"] = message.outside_values;
     if (message.ignored_bits != 0) object["ignored_presence_bits"] = text::hex_number(message.ignored_bits, 1);
     if (message.dropped != 0) object["dropped"] = message.dropped;
     if (message.sae) {

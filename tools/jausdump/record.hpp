@@ -74,6 +74,7 @@ struct record {
     std::optional<std::string> packet{}; ///< translated, or the error's name
     std::optional<fault> error{};
     std::optional<jausdump::refusal> refusal{}; ///< the message was refused, or not given
+    std::vector<std::string> outside_values{};  ///< fields with values that the standard does not define
     std::uint32_t ignored_bits{};               ///< presence bits without a field
     std::size_t dropped{};  ///< bytes that the decoded values do not hold: of presence bits that the layout lacks
     std::string data_set{}; ///< what became of a packet of a large data set, or "reassembled"

@@ -90,8 +90,12 @@ sae_messages::~sae_messages() = default;
 void sae_messages::identify(record& message) const {
     auto& sae = *message.sae;
     sae.message_id = sae::message_id_of(message.body());
-    if (!sae.message_id) return;
-    if (const auto* const known = messages_.find(*sae.message_id)) message.name = sae_name(*known);
+    message.name = name_of(sae.message_id);
+}
+
+std::string sae_messages::name_of(std::optional<std::uint16_t> message_id) const {
+    const auto* const known = message_id ? messages_.find(*message_id) : nullptr;
+    return known != nullptr ? sae_name(*known) : "unknown";
 }
 
 void sae_messages::on_payload(std::span<const std::byte> payload, const origin& from) {
@@ -161,7 +165,7 @@ void sae_messages::decode(record& message) const {
                   .what = "unknown: message ID " + text::hex_number(*sae.message_id, 4) + " is in no known service"};
         return;
     }
-    const auto decoded = known->decode(payload);
+    const auto decoded = known->decode(payload, wire::tolerate_values);
     if (!decoded) {
         const auto& why = decoded.error();
         message.kind = kind::broken;
@@ -171,6 +175,7 @@ void sae_messages::decode(record& message) const {
                               .what = text::to_text(why, sae.payload_begin)};
         return;
     }
+    message.outside_values = decoded->outside_values();
     if (how_.text) {
         message.text = decoded->to_text(text_indent);
     } else {
@@ -178,7 +183,7 @@ void sae_messages::decode(record& message) const {
         message.fields = catalogue::to_json(*decoded);
     }
     if (!how_.reencode) return;
-    const auto again = decoded->encode();
+    const auto again = decoded->encode(wire::tolerate_values);
     message.hex = again ? encoded_again(message, *again) : std::string{text::enumerator_name(again.error())};
 }
 

@@ -36,6 +36,9 @@ class sae_messages {
     /// The input has ended.
     void finish();
 
+    /// The name of a message; "unknown" where no set has the ID.
+    [[nodiscard]] std::string name_of(std::optional<std::uint16_t> message_id) const;
+
   private:
     struct fragments;
 
