@@ -4,18 +4,21 @@
 #include "support/mailbox_option.hpp"
 #include <jauscat/bridge/object_list.hpp>
 #include <jauscat/catalogue/ra_3_3.hpp>
+#include <jauscat/catalogue/sae.hpp>
 #include <jauscat/esi/check_esi.hpp>
 #include <jauscat/esi/emulated_device.hpp>
 #include <jauscat/esi/make_device.hpp>
 #include <jauscat/esi/read_esi.hpp>
 #include <jauscat/esi/text_values.hpp>
 #include <jauscat/esi/write_esi.hpp>
+#include <jauscat/schema/translation/sae_table.hpp>
 #include <jauscat/text/hex.hpp>
 
 #include <algorithm>
 #include <charconv>
 #include <deque>
 #include <fstream>
+#include <map>
 
 namespace {
 
@@ -39,6 +42,9 @@ Examples:
   jauscat-esi --component 56=set_joint_velocities,query_joint_velocities,report_joint_velocities --output joints.xml
                                                         a component with messages by name or code, such as 0x0603;
                                                         may be repeated for several components
+  jauscat-esi --sae --component 33=core,set_wrench_effort --output sae.xml
+                                                        a component of SAE JAUS: messages, or all of a set (core,
+                                                        mobility, environment_sensing, manipulator, ugv)
   jauscat-esi --index-base 0x2000 --output arm.xml      objects in the manufacturer's area
   jauscat-esi --from arm.xml --sii arm.bin              the SII of the slave that a file describes
   jauscat-esi --list terminals.xml                      the devices and modules of a file
@@ -55,26 +61,49 @@ read or written; 2 for a wrong command line.
 
 /// What a translation table makes of a component and of a message.
 struct table_numbers {
-    std::uint16_t first_index{}; ///< of component 1; those of the others follow
     bool exact_size{};
+    std::uint16_t (*index_of)(std::uint8_t component, std::uint16_t command_code){};
     bridging::sub_object (*sub_object_of)(std::uint16_t command_code, std::string_view name, std::size_t max_body){};
+    const catalogue::list* messages{};
+    std::map<std::string_view, const catalogue::list*> sets{}; ///< lists of messages that have a name
 
-    template <class Table> static constexpr table_numbers of() {
-        return {bridging::object_list<Table, 1>::index, jauscat::translate::has_fixed_length<Table>,
-                &bridging::sub_object_of<Table>};
+    template <class Table> static table_numbers of(const catalogue::list& messages) {
+        const auto index_of = [](std::uint8_t component, std::uint16_t command_code) {
+            typename Table::header_type header{};
+            typename Table::packet_type packet{};
+            Table::index_row::from::of(header) = component;
+            Table::subindex_row::from::of(header) = command_code;
+            static_cast<void>(Table::index_row::to_packet(header, packet, {})); // each message of the catalogue has one
+            return static_cast<std::uint16_t>(Table::index_row::to::of(packet));
+        };
+        return {.exact_size = jauscat::translate::has_fixed_length<Table>,
+                .index_of = index_of,
+                .sub_object_of = &bridging::sub_object_of<Table>,
+                .messages = &messages};
     }
+    /// The table of SAE JAUS.
+    template <class Table> static table_numbers of_sae() {
+        auto made = of<Table>(catalogue::sae());
+        made.sets = {{"core", &catalogue::sae_core_1_1()},
+                     {"mobility", &catalogue::sae_mobility_1_1()},
+                     {"environment_sensing", &catalogue::sae_environment_sensing_2_0()},
+                     {"manipulator", &catalogue::sae_manipulator_2_0()},
+                     {"ugv", &catalogue::sae_ground_vehicle_1_0()}};
+        return made;
+    }
+    /// An SAE entry has the message ID in its size; behind a message is a sequence number of as many bytes.
     [[nodiscard]] bridging::sub_object of(const catalogue::entry& message) const {
         return sub_object_of(message.command_code(), message.name(),
                              message.takes_rest() ? jauscat::wire::unbounded : message.max_size());
     }
+    /// A message by its name or its code, or the messages of a set.
+    [[nodiscard]] std::vector<catalogue::entry> find(const std::string& text) const {
+        if (const auto set = sets.find(text); set != sets.end()) return {set->second->begin(), set->second->end()};
+        const auto found = messages->find(std::string_view{text});
+        if (!found) throw example::usage_error{"--component: " + found.error().message};
+        return {**found};
+    }
 };
-
-/// A message by its name or its code.
-const catalogue::entry& find_message(const std::string& text) {
-    const auto found = catalogue::ra_3_3().find(text);
-    if (!found) throw example::usage_error{"--component: " + found.error().message};
-    return **found;
-}
 
 /// The messages that robot_arm accepts.
 template <class... Messages> std::vector<std::uint16_t> codes_of(jauscat::jaus::message_list<Messages...>) {
@@ -111,36 +140,45 @@ class component_objects {
                                        text + "'"};
         const auto component = static_cast<std::uint8_t>(id);
         if (has_messages) return add(component, named(text.substr(equals + 1)));
+        if (!table_.sets.empty())
+            throw example::usage_error{"--sae needs the messages of each component: --component " + text +
+                                       "=MESSAGE,..."};
         add(component, accepted_by_arm());
         if (std::ranges::find(objects_, every_component, &bridging::object_description::component) == objects_.end())
             add(every_component, accepted_by_arm());
     }
-    [[nodiscard]] std::vector<bridging::sub_object> named(const std::string& list) const {
-        std::vector<bridging::sub_object> messages;
+    [[nodiscard]] std::vector<catalogue::entry> named(const std::string& list) const {
+        std::vector<catalogue::entry> messages;
         for (std::size_t at = 0;;) {
             const auto comma = list.find(',', at);
-            messages.push_back(table_.of(find_message(list.substr(at, comma - at))));
+            const auto found = table_.find(list.substr(at, comma - at));
+            messages.insert(messages.end(), found.begin(), found.end());
             if (comma == list.npos) return messages;
             at = comma + 1;
         }
     }
-    [[nodiscard]] std::vector<bridging::sub_object> accepted_by_arm() const {
-        std::vector<bridging::sub_object> messages;
-        for (const auto code : codes_of(robot_messages{}))
-            messages.push_back(table_.of(*catalogue::ra_3_3().find(code)));
+    static std::vector<catalogue::entry> accepted_by_arm() {
+        std::vector<catalogue::entry> messages;
+        for (const auto code : codes_of(robot_messages{})) messages.push_back(*catalogue::ra_3_3().find(code));
         return messages;
     }
-    void add(std::uint8_t component, std::vector<bridging::sub_object> messages) {
-        std::ranges::sort(messages, {}, &bridging::sub_object::subindex);
+    /// An object for each index that the table gives to messages of the component.
+    void add(std::uint8_t component, const std::vector<catalogue::entry>& messages) {
+        std::map<std::uint16_t, std::vector<bridging::sub_object>> by_index;
+        for (const auto& message : messages)
+            by_index[table_.index_of(component, message.command_code())].push_back(table_.of(message));
         const auto& name = names_.emplace_back("component " + std::to_string(component));
-        const auto twice = std::ranges::adjacent_find(messages, {}, &bridging::sub_object::subindex);
-        if (twice != messages.end())
-            throw example::usage_error{"--" + name + ": " + std::string{twice->name} + " is there twice"};
-        objects_.push_back({.index = static_cast<std::uint16_t>(table_.first_index + component - 1),
-                            .component = component,
-                            .name = name,
-                            .exact_size = table_.exact_size,
-                            .entries = entries_.emplace_back(std::move(messages))});
+        for (auto& [index, entries] : by_index) {
+            std::ranges::sort(entries, {}, &bridging::sub_object::subindex);
+            const auto twice = std::ranges::adjacent_find(entries, {}, &bridging::sub_object::subindex);
+            if (twice != entries.end())
+                throw example::usage_error{"--" + name + ": " + std::string{twice->name} + " is there twice"};
+            objects_.push_back({.index = index,
+                                .component = component,
+                                .name = name,
+                                .exact_size = table_.exact_size,
+                                .entries = entries_.emplace_back(std::move(entries))});
+        }
     }
 
     table_numbers table_;
@@ -186,15 +224,30 @@ int check(const std::string& file) {
     return fits_schema ? example::success : example::failure;
 }
 
+table_numbers ra_table_of(const boost::program_options::variables_map& values) {
+    table_numbers table{};
+    example::with_table(values, [&]<class Table>() {
+        table = table_numbers::of<Table>(catalogue::ra_3_3());
+        return int{example::success};
+    });
+    return table;
+}
+table_numbers sae_table_of(const boost::program_options::variables_map& values) {
+    namespace tables = jauscat::translation;
+    if (!values["table"].defaulted() || values["fixed-length"].as<bool>())
+        throw example::usage_error{"--sae has a table of its own: leave out --table and --fixed-length"};
+    const auto& base = values["index-base"];
+    if (base.defaulted() || base.as<std::string>() == "0x2000") return table_numbers::of_sae<tables::sae_table>();
+    if (base.as<std::string>() == "0x6900") return table_numbers::of_sae<tables::sae_table_at_6900h>();
+    throw example::usage_error{"--index-base must be 0x2000 or 0x6900 with --sae, not '" + base.as<std::string>() +
+                               "'"};
+}
+
 /// The device that the command line describes.
 esi::device described(const boost::program_options::variables_map& values) {
     auto slave = example::arm_slave;
     slave.mailbox_out_size = slave.mailbox_in_size = example::mailbox_size_of(values);
-    table_numbers table{};
-    example::with_table(values, [&]<class Table>() {
-        table = table_numbers::of<Table>();
-        return int{example::success};
-    });
+    const auto table = values["sae"].as<bool>() ? sae_table_of(values) : ra_table_of(values);
     const component_objects objects{values["component"].as<std::vector<std::string>>(), table};
     return esi::make_device(
         slave,
@@ -223,7 +276,7 @@ template <class T> T or_throw(jauscat::result<T, esi::error> read) {
 
 /// The device of a file.
 esi::device read(const boost::program_options::variables_map& values) {
-    for (const auto* const other : {"component", "mailbox-size", "table", "index-base", "fixed-length"})
+    for (const auto* const other : {"component", "sae", "mailbox-size", "table", "index-base", "fixed-length"})
         if (!values[other].defaulted())
             throw example::usage_error{std::string{"--from and --"} + other + " exclude each other"};
     return or_throw(esi::read_esi(values["from"].as<std::string>(), choice_of(values)));
@@ -340,6 +393,7 @@ int main(int argc, char** argv) {
         options.add_options()
             ("component", po::value<std::vector<std::string>>()->composing()->default_value({"33"}, "33"),
              "JAUS component of the slave: ID, with the messages of robot_arm, or ID=MESSAGE,...; may be repeated")
+            ("sae", po::bool_switch(), "components and messages are those of SAE JAUS, at the objects of its table")
             ("output", po::value<std::string>(), "ESI file to write, instead of standard output")
             ("sii", po::value<std::string>(), "file to write with the content of the SII")
             ("from", po::value<std::string>(), "ESI file that describes the slave, instead of the other options")

@@ -73,6 +73,42 @@ options() {
     says "<Name>ExactSize</Name>"
 }
 
+sae_messages() {
+    # Core and mobility are segments 0 and 1: an object each. The ID is not in the data, the sequence number is.
+    expect 0 --sae --component 33=core,set_wrench_effort --component 34=0x0001 --output "$work/sae.xml"
+    expect 0 --check "$work/sae.xml"
+    says "sae.xml has what the schema demands"
+    cp "$work/sae.xml" "$work/out"
+    says "<Index>#x2021</Index>"
+    says "<Index>#x2121</Index>"
+    says "<Index>#x2022</Index>"
+    grep -q "<Index>#x2122</Index>" "$work/out" && fail "component 34 has an object without messages"
+    says "<Name>set_wrench_effort</Name>"
+    [ "$(grep -c "<Name>query_status</Name>" "$work/out")" -ge 1 ] || fail "the core set is not complete"
+    python3 - "$work/sae.xml" <<'PY' || fail "the objects are others"
+import sys, xml.etree.ElementTree as tree
+types = {t.findtext("Name"): t for t in tree.parse(sys.argv[1]).getroot().iter("DataType")}
+def item(index, subindex):
+    one = next(i for i in types["DT" + index].findall("SubItem") if i.findtext("SubIdx") == str(subindex))
+    return one.findtext("Name"), one.findtext("Type")
+assert item("2022", 1) == item("2021", 1) == ("set_authority", "OCTET_STRING(10)")
+assert item("2121", 2) == ("set_wrench_effort", "OCTET_STRING(29)"), item("2121", 2)
+assert len(types["DT2021"].findall("SubItem")) == 55
+PY
+    expect 0 --sae --component 33=ugv --index-base 0x6900
+    says "<Index>#x6D21</Index>"
+    expect 2 --sae
+    says "--sae needs the messages of each component: --component 33=MESSAGE,..."
+    expect 2 --sae --component 33=core,0x0001
+    says "--component 33: set_authority is there twice"
+    expect 2 --sae --component 33=core --table seed
+    says "--sae has a table of its own"
+    expect 2 --sae --component 33=core --index-base 6900
+    says "--index-base must be 0x2000 or 0x6900 with --sae"
+    expect 2 --component 33=core
+    says "--component: there is no message 'core'"
+}
+
 messages() {
     # By name, by the standard's name and by code; several components.
     expect 0 --component 56=set_joint_velocities,0x2603,"Report Joint Velocities" --component 34=set_wrench_effort
