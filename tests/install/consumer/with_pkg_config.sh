@@ -7,6 +7,7 @@ if [ "${2:-}" = compiled ]; then
 # [compiled]
 g++ -std=c++20 app_consumer.cpp app_part.cpp $(pkg-config --cflags --libs jauscat-compiled) -o compiled_consumer
 g++ -std=c++20 catalogue_consumer.cpp $(pkg-config --cflags --libs jauscat-catalogue) -o catalogue_consumer
+g++ -std=c++20 sae_consumer.cpp $(pkg-config --cflags --libs jauscat-catalogue-sae) -o sae_consumer
 # [compiled end]
 else
 # [build]
