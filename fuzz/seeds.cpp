@@ -16,6 +16,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <map>
 
 using namespace jauscat;
 using byte_vector = std::vector<std::byte>;
@@ -75,9 +76,22 @@ void write_messages(const std::filesystem::path& root) {
 
 void write_sae_messages(const std::filesystem::path& root) {
     seed_folder messages{root, "sae"};
+    std::map<std::string, seed_folder> sets; // by the part of a service's name: urn:jaus:jss:SET:SERVICE
+    for (const auto& [part, target] : {std::pair{"core", "sae_core"},
+                                       {"mobility", "sae_mobility"},
+                                       {"environmentSensing", "sae_environment_sensing"},
+                                       {"manipulator", "sae_manipulator"},
+                                       {"ugv", "sae_ugv"}})
+        sets.emplace(part, seed_folder{root, target});
+    constexpr std::string_view before = "urn:jaus:jss:";
     std::ifstream file{support::test_data("sae_vectors.jsonl")};
-    for (std::string line; std::getline(file, line);)
-        messages.add(jauscat::test::from_hex(golden::json::parse(line).at("hex").get<std::string>()));
+    for (std::string line; std::getline(file, line);) {
+        const auto vector = golden::json::parse(line);
+        const auto payload = jauscat::test::from_hex(vector.at("hex").get<std::string>());
+        const auto service = vector.at("service").get<std::string>().substr(before.size());
+        messages.add(payload);
+        sets.at(service.substr(0, service.find(':'))).add(payload);
+    }
 }
 
 // A frame in the form of fuzz/support/steps.hpp.
