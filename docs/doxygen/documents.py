@@ -15,7 +15,7 @@ def pages(root):
     """In the order of the site."""
     index = (root / "docs/README.md").read_text(encoding="utf-8")
     listed = ["docs/" + target for target in re.findall(r"\]\(([\w-]+\.md)\)", index)]
-    folders = ["docs/*.md", "docs/*/README.md", "docs/messages/*.md", "examples/README.md", "tools/README.md", "CONTRIBUTING.md", "CHANGELOG.md"]
+    folders = ["docs/*.md", "docs/*/README.md", "docs/messages/*.md", "docs/messages/sae/*.md", "examples/README.md", "tools/README.md", "CONTRIBUTING.md", "CHANGELOG.md"]
     found = [path.relative_to(root).as_posix() for folder in folders for path in sorted(root.glob(folder))]
     return list(dict.fromkeys(["README.md", "docs/README.md"] + listed + found))
 

@@ -1,7 +1,9 @@
 #include "describe.hpp"
 
+#include "words.hpp"
 #include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/schema/translation/command_ranks.hpp>
+#include <jauscat/schema/translation/sae_ranks.hpp>
 #include <jauscat/text/value.hpp>
 #include <jauscat/wire/item.hpp>
 
@@ -26,6 +28,16 @@ std::string limits_of(bool is_signed, unsigned bits) {
     const std::string least = is_signed ? "−" + std::to_string(most + 1) : "0";
     return least + (bits == 1 ? " or " : " to ") + std::to_string(most);
 }
+/// The limits, or the value set.
+std::string range_of(const text::integer_form& integer) {
+    std::string made;
+    const auto text_of = [&](std::uint64_t n) {
+        return integer.is_signed ? with_minus(std::to_string(static_cast<std::int64_t>(n))) : std::to_string(n);
+    };
+    for (const auto [least, most] : integer.values)
+        made += (made.empty() ? "" : ", ") + text_of(least) + (least == most ? "" : " to " + text_of(most));
+    return made.empty() ? limits_of(integer.is_signed, integer.bits) : made;
+}
 std::string type_on_wire(const char* kind, unsigned bits) { return kind + std::to_string(bits); }
 
 enumeration names_of(const text::integer_form& integer) {
@@ -49,7 +61,7 @@ struct teller {
         if (integer.what == meaning::flags || integer.what == meaning::enumeration)
             one.names = names_of(integer);
         else
-            one.range = limits_of(integer.is_signed, integer.bits);
+            one.range = range_of(integer);
     }
     void operator()(const text::real_form& real) const {
         tell_number("f", real.bits);
@@ -77,7 +89,10 @@ struct teller {
     void operator()(const text::structure_form& inner) const { tell_structure(*inner.of); }
     void operator()(const text::packed_form& inner) const { tell_structure(*inner.of); }
     void operator()(const text::encoded_form& inner) const {
-        if (inner.of != nullptr) tell_structure(*inner.of);
+        if (inner.of != nullptr) return tell_structure(*inner.of);
+        one.what = part::kind::octets;
+        one.type = "bytes";
+        one.note = "a message, from its ID on";
     }
     void operator()(const text::list_form& list) const {
         one.what = part::kind::list;
@@ -103,8 +118,16 @@ struct teller {
         one.what = part::kind::choice;
         for (const text::choice_case& each : choice.cases) add_case(each);
     }
-    // No message of RA 3.3 has variants or embedded messages of any type.
-    void operator()(const text::variant_form&) const { one.what = part::kind::choice; }
+    void operator()(const text::variant_form& variant) const {
+        one.what = part::kind::choice;
+        one.has_rows_of_cases = true;
+        for (std::size_t i = 0; i != variant.alternatives.size(); ++i) {
+            part made{.what = part::kind::value};
+            if (variant.alternatives[i].how != nullptr) std::visit(teller{made}, variant.alternatives[i].how->is);
+            made.tags.entries.push_back({i, {}});
+            one.parts.push_back(std::move(made));
+        }
+    }
 
   private:
     void tell_number(const char* kind, unsigned bits) const {
@@ -130,7 +153,9 @@ struct teller {
         if (each.how != nullptr) std::visit(teller{made}, each.how->is);
         const enumeration::entry tag{each.tag, {}};
         for (part& known : one.parts) {
-            if (known.what == part::kind::record || known.type != made.type || known.range != made.range) continue;
+            if (known.what == part::kind::record || known.type != made.type || known.range != made.range ||
+                known.unit != made.unit)
+                continue;
             known.tags.entries.push_back(tag);
             return;
         }
@@ -149,7 +174,7 @@ part bit_field_of(const member& one, const std::string& owner) {
     if (integer.what == text::integer_form::meaning::enumeration)
         made.names = names_of(integer);
     else
-        made.range = limits_of(integer.is_signed, integer.bits);
+        made.range = range_of(integer);
     return made;
 }
 void reserve(part& packed, unsigned first, unsigned end) {
@@ -216,6 +241,20 @@ std::vector<part> parts_of(const text::structure& structure) {
                              (one.counter_excess == 0 ? "" : " − " + std::to_string(one.counter_excess));
         }
         made.selector = one.tag.name;
+        if (const auto* const variant = std::get_if<text::variant_form>(&one.how->is)) {
+            const std::size_t size = variant->bits / 8;
+            part number{.what = part::kind::count,
+                        .name = made.name + "_number",
+                        .least = size,
+                        .most = size,
+                        .type = type_on_wire("u", variant->bits),
+                        .range = "0 to " + std::to_string(variant->alternatives.size() - 1),
+                        .presence = made.presence};
+            made.selector = number.name;
+            made.least -= size;
+            if (made.most != wire::unbounded) made.most -= size;
+            out.push_back(std::move(number));
+        }
         out.push_back(std::move(made));
     }
     return out;
@@ -239,12 +278,33 @@ message described(const catalogue::entry& entry) {
     const auto known = std::ranges::find(jaus::catalog, code, &jaus::catalog_entry::command_code);
     const auto rank = std::ranges::find(translation::ra_command_codes, code);
     return {.code = code,
-            .name = known->name,
+            .name = std::string{known->name},
             .structure = std::string{entry.name()},
             .least = entry.min_size(),
             .most = entry.max_size(),
             .rank = static_cast<unsigned>(rank - translation::ra_command_codes.begin() + 1),
+            .diagram = entry.fields().members.empty() ? "" : "diagrams/" + code_digits(code) + ".svg",
             .parts = parts_of(entry.fields())};
+}
+
+message described_sae(const catalogue::entry& entry, std::string name, std::string_view diagram_prefix) {
+    const std::uint16_t code = entry.command_code();
+    part id{.what = part::kind::count,
+            .name = "message_id",
+            .least = sizeof code,
+            .most = sizeof code,
+            .type = "u16",
+            .range = code_digits(code) + "h"};
+    message made{.code = code,
+                 .name = std::move(name),
+                 .structure = std::string{entry.name()},
+                 .least = entry.min_size(),
+                 .most = entry.takes_rest() ? wire::unbounded : entry.max_size(),
+                 .rank = translation::sae_segments::find(code).rank,
+                 .diagram = "diagrams/" + std::string{diagram_prefix} + code_digits(code) + ".svg",
+                 .parts = parts_of(entry.fields())};
+    made.parts.insert(made.parts.begin(), std::move(id));
+    return made;
 }
 
 } // namespace jauscat::reference

@@ -1,5 +1,6 @@
 #include "page.hpp"
 
+#include "table.hpp"
 #include "words.hpp"
 #include <jauscat/wire/item.hpp>
 
@@ -12,12 +13,12 @@ namespace jauscat::reference {
 
 namespace {
 
-std::string code(std::string_view text) { return "`" + std::string{text} + "`"; }
-
 std::string class_of(const message& one) {
     static constexpr std::array names{"command", "query", "inform"};
     return names.at(one.code / 0x2000U);
 }
+
+} // namespace
 
 std::string body_size(const message& one) {
     if (one.most == 0) return "none";
@@ -25,41 +26,9 @@ std::string body_size(const message& one) {
                                        : amount(one.least, one.most) + (one.most == 1 ? " byte" : " bytes");
 }
 
-/// GitHub's anchor of a heading.
-std::string anchor(std::string_view heading) {
-    std::string made;
-    for (const char c : heading) {
-        if (c == ' ') made += '-';
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_')
-            made += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-    return made;
-}
+namespace {
+
 std::string heading(const message& one) { return code_text(one.code) + " " + std::string{one.name}; }
-
-/// Rows of text; columns without any are left out.
-class table {
-  public:
-    explicit table(std::vector<std::string> heads) : heads_{std::move(heads)} {}
-    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-    [[nodiscard]] std::string text() const {
-        std::string made = line(heads_);
-        made += line(std::vector<std::string>(heads_.size(), "---"));
-        for (const auto& row : rows_) made += line(row);
-        return made;
-    }
-
-  private:
-    [[nodiscard]] std::string line(const std::vector<std::string>& row) const {
-        std::string made = "|";
-        for (std::size_t i = 0; i != row.size(); ++i)
-            if (std::ranges::any_of(rows_, [&](const auto& other) { return !other[i].empty(); }))
-                made += " " + row[i] + (row[i].empty() ? "|" : " |");
-        return made + "\n";
-    }
-    std::vector<std::string> heads_;
-    std::vector<std::vector<std::string>> rows_{};
-};
 
 /// A member's remark without the unit and limits at its beginning, which the table has in a column of their own.
 struct split_remark {
@@ -102,6 +71,18 @@ class writer {
     std::set<std::string> seen_{};
 };
 
+/// The column of values: names, limits, unit, step, what counts it, what ends it.
+std::string values_of(const part& one, const std::string& limits) {
+    if (one.names) return code(one.names->name);
+    if (!one.note.empty()) return one.note;
+    if (!one.times.empty()) {
+        const auto end = std::min(one.times.find(' '), one.times.size());
+        return "× " + code(one.times.substr(0, end)) + one.times.substr(end);
+    }
+    return limits + (limits.empty() || one.unit.empty() ? "" : " ") + one.unit +
+           (one.step.empty() ? "" : ", step " + one.step);
+}
+
 void writer::explain_names(const enumeration& names) {
     std::string text;
     for (const auto& [number, name] : names.entries) {
@@ -118,22 +99,11 @@ void writer::explain_cases(const part& choice) {
         cases += (cases.empty() ? "" : ", ") + numbers_of(each.tags) + " " +
                  (each.type.empty()                 ? "nothing"
                   : each.what == part::kind::record ? code(each.type)
+                  : each.scaled                     ? each.type + " (" + values_of(each, each.range) + ")"
                                                     : each.type);
     explain("by " + code(choice.selector), cases + ".");
     for (const part& each : choice.parts)
         if (each.what == part::kind::record) explain(code(each.type), from_.of_type(each.type));
-}
-
-/// The column of values: names, limits, unit, step, what counts it, what ends it.
-std::string values_of(const part& one, const std::string& limits) {
-    if (one.names) return code(one.names->name);
-    if (!one.note.empty()) return one.note;
-    if (!one.times.empty()) {
-        const auto end = std::min(one.times.find(' '), one.times.size());
-        return "× " + code(one.times.substr(0, end)) + one.times.substr(end);
-    }
-    return limits + (limits.empty() || one.unit.empty() ? "" : " ") + one.unit +
-           (one.step.empty() ? "" : ", step " + one.step);
 }
 
 void writer::add_bits(const part& packed, const std::string& indent, const std::string& where) {
@@ -181,12 +151,28 @@ void writer::add(const std::vector<part>& parts, const std::string& indent, std:
         const std::string inner = indent + "&nbsp;&nbsp;&nbsp;&nbsp;";
         if (many) add(one.parts, inner, "+", 0);
         if (whole && !known) add(one.parts, inner, prefix, always ? at : std::nullopt);
+        if (one.has_rows_of_cases)
+            for (const part& each : one.parts) {
+                if (each.parts.empty()) continue;
+                fields_.add({"", inner + "in " + code(each.type), "", "", "", ""});
+                add(each.parts, inner, "+", 0);
+            }
         advance(at, one);
     }
 }
 
+} // namespace
+
+std::string field_table(const message& one, const remarks& from) {
+    writer fields{from};
+    fields.add(one.parts, "", "", 0);
+    return fields.text();
+}
+
+namespace {
+
 std::string section(const message& one, const remarks& from, const translation& table) {
-    const message_remark remark = from.of_message(one.structure, one.name, code_text(one.code).substr(0, 4));
+    const message_remark remark = from.of_message(one.structure, one.name, code_digits(one.code));
     std::string made = "## " + heading(one) + "\n\n";
     if (!remark.meaning.empty()) made += remark.meaning + "\n\n";
     const std::size_t largest = std::min(one.most, table.largest_body);
@@ -196,10 +182,8 @@ std::string section(const message& one, const remarks& from, const translation& 
             code("jaus::" + one.structure) + "\n\n";
     if (!remark.notes.empty()) made += "> " + remark.notes + "\n\n";
     if (one.parts.empty()) return made;
-    made += "![Bytes of " + std::string{one.name} + "](" + diagram_file(one) + ")\n\n";
-    writer fields{from};
-    fields.add(one.parts, "", "", 0);
-    return made + fields.text();
+    made += "![Bytes of " + std::string{one.name} + "](" + one.diagram + ")\n\n";
+    return made + field_table(one, from);
 }
 
 /// `Platform subgroup of RA 3.3 part 3: wrench effort, ...`: the name and the rest.
@@ -208,21 +192,9 @@ std::pair<std::string, std::string> title_of(const std::string& remark) {
     return {remark.substr(0, remark.find(" subgroup")), capitalised(remark.substr(colon + 2))};
 }
 
-constexpr std::string_view made_by =
-    "<!-- Generated from the schemas by scripts/message-reference: do not edit. -->\n\n";
-
 } // namespace
 
-std::string code_text(std::uint16_t code) {
-    static constexpr std::string_view digits = "0123456789ABCDEF";
-    std::string made;
-    for (int shift = 12; shift >= 0; shift -= 4) made += digits[static_cast<unsigned>(code) >> shift & 15U];
-    return made + "h";
-}
-
-std::string diagram_file(const message& one) {
-    return one.parts.empty() ? "" : "diagrams/" + code_text(one.code).substr(0, 4) + ".svg";
-}
+std::string code_text(std::uint16_t code) { return code_digits(code) + "h"; }
 
 std::string page(const std::string& header, const std::vector<message>& messages, const remarks& from,
                  const translation& table) {

@@ -12,10 +12,16 @@ struct translation {
     std::size_t largest_body{}; ///< that one packet carries
 };
 
+inline constexpr std::string_view made_by =
+    "<!-- Generated from the schemas by scripts/message-reference: do not edit. -->\n\n";
+
 /// `0405h`.
 std::string code_text(std::uint16_t code);
-/// File name of a message's diagram, in the pages' folder; empty for a message without a body.
-std::string diagram_file(const message& one);
+
+/// `4 to 12 bytes`.
+std::string body_size(const message& one);
+/// A row for each field, and below it what names and types stand for.
+std::string field_table(const message& one, const remarks& from);
 
 /// The page of a subgroup, named by its header. Throws std::runtime_error where a comment is missing.
 std::string page(const std::string& header, const std::vector<message>& messages, const remarks& from,

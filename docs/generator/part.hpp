@@ -50,16 +50,18 @@ struct part {
     std::string times{};                ///< what counts a list's elements
     std::string selector{};             ///< the member that chooses
     enumeration tags{};                 ///< of a choice's case
+    bool has_rows_of_cases{};           ///< a choice whose cases are structures: a variant
     std::vector<part> parts{};
 };
 
 /// A message of the reference.
 struct message {
     std::uint16_t code{};
-    std::string_view name{}; ///< the standard's
+    std::string name{};      ///< the standard's
     std::string structure{}; ///< name of its type
     std::size_t least{}, most{};
-    unsigned rank{}; ///< its place in the translation tables
+    unsigned rank{};       ///< its place in the translation tables
+    std::string diagram{}; ///< file name, in the pages' folder; empty for a message without a body
     std::vector<part> parts{};
 };
 

@@ -87,4 +87,20 @@ message_remark remarks::of_message(const std::string& type, std::string_view nam
     return {meaning, match[4]};
 }
 
+sae_remark remarks::of_sae_message(const std::string& type, std::string_view code) const {
+    static const std::regex form{R"(^(\w+): ID (\w{4})h, (.*)\.$)"};
+    std::smatch match;
+    const std::string& text = of_type(type);
+    if (!std::regex_match(text, match, form) || match.str(2) != code)
+        throw std::runtime_error{"the comment on " + type + " is not 'NAME: ID " + std::string{code} + "h, ROLE.'"};
+    sae_remark made{.name = match[1], .role = match[3]};
+    static const std::regex part{R"((?:(input|output) of )?(\w+)(?:, |$))"};
+    std::string direction; // the last one counts: "input of A, B, output of C"
+    for (std::sregex_iterator at{made.role.begin(), made.role.end(), part}, end; at != end; ++at) {
+        if (at->length(1) != 0) direction = (*at)[1];
+        if (!direction.empty()) made.services.push_back({(*at)[2], direction == "input"});
+    }
+    return made;
+}
+
 } // namespace jauscat::reference

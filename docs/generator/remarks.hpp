@@ -14,6 +14,18 @@ struct message_remark {
     std::string notes{};   ///< further sentences
 };
 
+/// Of a service that has a message.
+struct service_remark {
+    std::string name{}; ///< Management
+    bool is_input{};    ///< of the service, else output
+};
+/// The comment above a message of SAE JAUS.
+struct sae_remark {
+    std::string name{};                     ///< ReportStatus
+    std::string role{};                     ///< command, deprecated, input of ..., output of ...
+    std::vector<service_remark> services{}; ///< of the role
+};
+
 class remarks {
   public:
     /// Reads every header of `folder`. Throws std::runtime_error when there is none.
@@ -31,6 +43,8 @@ class remarks {
     /// The comment above a message, or empty parts. Throws if it does not have the standard's name and the code.
     [[nodiscard]] message_remark of_message(const std::string& type, std::string_view name,
                                             std::string_view code) const;
+    /// Throws if the comment is not that of a message with the code.
+    [[nodiscard]] sae_remark of_sae_message(const std::string& type, std::string_view code) const;
 
   private:
     using texts = std::map<std::string, std::string>;

@@ -21,6 +21,13 @@ std::string escaped(std::string_view text) {
     return made;
 }
 
+std::string code_digits(std::uint16_t code) {
+    static constexpr std::string_view digits = "0123456789ABCDEF";
+    std::string made;
+    for (int shift = 12; shift >= 0; shift -= 4) made += digits[static_cast<unsigned>(code) >> shift & 15U];
+    return made;
+}
+
 std::string capitalised(std::string text) {
     if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
     return text;

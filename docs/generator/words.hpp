@@ -4,6 +4,8 @@
 
 namespace jauscat::reference {
 
+/// `0405`.
+std::string code_digits(std::uint16_t code);
 /// For HTML and SVG.
 std::string escaped(std::string_view text);
 /// With a capital letter first.
