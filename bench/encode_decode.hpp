@@ -20,4 +20,9 @@ template <class... Messages> bool all(std::span<std::byte> bytes, wire::arena& m
     return (one<Messages>(bytes, memory) && ...);
 }
 
+template <template <class...> class List, class... Messages>
+bool all(List<Messages...>, std::span<std::byte> bytes, wire::arena& memory) {
+    return all<Messages...>(bytes, memory);
+}
+
 } // namespace bench

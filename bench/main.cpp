@@ -29,7 +29,7 @@ int count_instructions() {
 int main(int argc, char** argv) {
     if (!bench::add_codec_benchmarks() || !bench::add_translate_benchmarks() || !bench::add_dispatch_benchmarks() ||
         !bench::add_path_benchmarks() || !bench::add_image_benchmarks() || !bench::add_route_benchmarks() ||
-        !bench::add_sae_benchmarks()) {
+        !bench::add_sae_benchmarks() || !bench::add_sae_codec_benchmarks()) {
         std::fputs("jauscat and the hand-written code do not agree\n", stderr);
         return 1;
     }

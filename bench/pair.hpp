@@ -55,5 +55,6 @@ bool add_path_benchmarks();
 bool add_image_benchmarks();
 bool add_route_benchmarks();
 bool add_sae_benchmarks();
+bool add_sae_codec_benchmarks();
 
 } // namespace bench
