@@ -3,6 +3,7 @@
 #include "emulated_board.hpp"
 #include "support/catch.hpp"
 #include "support/hex.hpp"
+#include <jauscat/sae/transport/jserial.hpp>
 
 namespace {
 
@@ -207,4 +208,46 @@ TEST_CASE("a message of 256 bytes of body is accepted, one byte more is noise") 
                           "02000000 151b0000 33000000 08010000 0602 01010101 2200") +
                  bytes(256, std::byte{0xEE})));
     CHECK(to_hex(said.jaus) == "");
+}
+
+namespace {
+
+/// Frames of JSerial, one for each message in hex.
+bytes framed(std::initializer_list<const char*> messages) {
+    bytes all;
+    for (const char* const hex : messages) {
+        const auto message = from_hex(hex);
+        bytes frame(jauscat::sae::max_serial_frame_size(message.size()));
+        frame.resize(jauscat::sae::put_serial_frame(message, frame)->size());
+        all = all + frame;
+    }
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("a node of SAE JAUS obeys, reports, acknowledges, and hands messages to the card by their table") {
+    if (emulated_board::other_images() != nullptr) return; // the single header has no messages of SAE
+    emulated_board board{GENERATE(as<std::string>{}, "sae_m3", "sae_by_hand_m3", "sae_m0", "sae_by_hand_m0")};
+    // To 2.2.33 from 1.1.1: SetWrenchEffort with one effort, then a field cut off; to another component; QueryStatus;
+    // a packet of several; QueryWrenchEffort.
+    const auto noise = from_hex("ff 10 55 10 03 00");
+    board.send(
+        noise +
+        framed({"00 1400 11 21 02 0200 01 01 0100 0504 0100 3412 2200",
+                "00 1300 11 21 02 0200 01 01 0100 0504 0100 34 1000",
+                "00 1400 11 22 02 0200 01 01 0100 0504 0100 7856 2200", "00 1000 01 21 02 0200 01 01 0100 0220 2500",
+                "00 1400 51 21 02 0200 01 01 0100 0504 0100 7856 2600"}) +
+        noise + framed({"00 1200 01 21 02 0200 01 01 0100 0524 ffff 2300"}));
+    const auto report = framed({"00 1400 01 01 01 0100 21 02 0200 0544 0100 3412 2300"});
+    const auto said = board.receive_until(report);
+    CHECK(to_hex(said.jaus) ==
+          to_hex(framed({"00 0e00 31 01 01 0100 21 02 0200 2200", "00 0e00 21 01 01 0100 21 02 0200 1000",
+                         "00 0e00 21 01 01 0100 21 02 0200 2600"}) +
+                 report));
+    CHECK(to_hex(said.card) ==
+          to_hex(from_hex("20000000 00000000 00000000 00000000 1d000000 00000000 00000000 08006500 00000000 00000000"
+                          "02000000 21210000 02000000 0d000000 11 0200 01010100 0100 3412 2200"
+                          "20000000 00000000 00000000 00000000 19000000 00000000 00000000 08006500 00000000 00000000"
+                          "02000000 21200000 18000000 09000000 01 0200 01010100 2500")));
 }
