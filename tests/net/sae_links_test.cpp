@@ -2,6 +2,7 @@
 #include "support/catch.hpp"
 #include "support/free_ports.hpp"
 #include "support/hex.hpp"
+#include "support/pseudo_terminal.hpp"
 #include "support/until.hpp"
 #include <jauscat/net/node/jaus_node.hpp>
 #include <jauscat/net/sae/detail/keep_alive.hpp>
@@ -14,13 +15,10 @@
 #include <boost/asio/read.hpp>
 #include <boost/asio/write.hpp>
 
-#include <cstdlib>
-#include <fcntl.h>
 #include <filesystem>
 #include <memory>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
-#include <termios.h>
 #include <unistd.h>
 
 using namespace jauscat;
@@ -31,6 +29,7 @@ using udp = boost::asio::ip::udp;
 namespace {
 
 using byte_vector = std::vector<std::byte>;
+using support::pseudo_terminal;
 using test::from_hex;
 using test::to_hex;
 
@@ -73,30 +72,6 @@ byte_vector receive(udp::socket& socket) {
     bytes.resize(socket.receive(boost::asio::buffer(bytes.data(), bytes.size())));
     return bytes;
 }
-std::string file_of(int descriptor) {
-    std::array<char, 128> name{};
-    REQUIRE(::ptsname_r(descriptor, name.data(), name.size()) == 0);
-    return name.data();
-}
-/// A pseudo-terminal without line discipline; closed at the end.
-struct pseudo_terminal {
-    pseudo_terminal() {
-        REQUIRE(master >= 0);
-        REQUIRE(::grantpt(master) == 0);
-        REQUIRE(::unlockpt(master) == 0);
-        termios raw{};
-        REQUIRE(::tcgetattr(master, &raw) == 0);
-        ::cfmakeraw(&raw);
-        REQUIRE(::tcsetattr(master, TCSANOW, &raw) == 0);
-    }
-    ~pseudo_terminal() {
-        if (master >= 0) ::close(master);
-    }
-    pseudo_terminal(const pseudo_terminal&) = delete;
-    pseudo_terminal& operator=(const pseudo_terminal&) = delete;
-
-    int master{::posix_openpt(O_RDWR | O_NOCTTY)};
-};
 
 } // namespace
 
@@ -566,6 +541,56 @@ TEST_CASE("a connection that is refused is made as soon as the peer listens, and
     CHECK(link.counts().failed == failed);
 }
 
+TEST_CASE("an attempt to connect to a host that does not answer ends after the timeout, and is made again") {
+    boost::asio::io_context context;
+    tcp::acceptor acceptor{context, tcp::v4()};
+    acceptor.bind({loopback, 0});
+    acceptor.listen(0); // one connection waits to be accepted; requests for others get no answer
+    tcp::socket waiting{context};
+    waiting.connect(acceptor.local_endpoint());
+    const auto name = "127.0.0.1:" + std::to_string(acceptor.local_endpoint().port());
+    station here{controller};
+    net::jtcp_link link{
+        context, here.transport, {.listen = {}, .connect_timeout = 20ms, .reconnect = {.first = 1ms, .longest = 5ms}}};
+    link.start(here.handlers());
+    link.connect(acceptor.local_endpoint());
+    REQUIRE(support::until(context, [&] { return link.counts().failed == 2; }));
+    CHECK(here.log == std::vector<std::string>{"cannot connect to " + name +
+                                               ": no answer within 20 ms (option connect_timeout); it is tried again:"
+                                               " start the program there, or correct the address"});
+    std::vector<tcp::socket> accepted;
+    std::function<void()> accept = [&] {
+        acceptor.async_accept([&](const boost::system::error_code& error, tcp::socket socket) {
+            if (error) return;
+            accepted.push_back(std::move(socket));
+            accept();
+        });
+    };
+    accept();
+    REQUIRE(support::until(context, [&] { return link.counts().connected == 1; }));
+    CHECK(here.log.back() == "connected to " + name + " again");
+    CHECK(link.connections() == 1);
+}
+
+TEST_CASE("a link that stops while it connects keeps no handler waiting") {
+    boost::asio::io_context context;
+    tcp::acceptor acceptor{context, tcp::v4()};
+    acceptor.bind({loopback, 0});
+    acceptor.listen(0);
+    tcp::socket waiting{context};
+    waiting.connect(acceptor.local_endpoint());
+    station here{controller};
+    net::jtcp_link link{context, here.transport, {.listen = {}, .connect_timeout = {}}};
+    link.start(here.handlers());
+    link.connect(acceptor.local_endpoint());
+    context.poll();
+    CHECK_FALSE(context.stopped());
+    link.stop();
+    context.run(); // returns long before the system gives up
+    CHECK(link.counts().failed == 0);
+    CHECK(here.log.empty());
+}
+
 TEST_CASE("an accepted connection that says nothing is closed after the idle limit, one that speaks is kept") {
     boost::asio::io_context context;
     station there{component};
@@ -657,7 +682,7 @@ TEST_CASE("a peer at a serial line is answered in frames, past noise") {
     boost::asio::io_context context;
     const pseudo_terminal line;
     station there{component};
-    net::jserial_link link{context, there.transport, {.device = file_of(line.master)}};
+    net::jserial_link link{context, there.transport, {.device = line.device()}};
     link.start(there.handlers());
     boost::asio::posix::stream_descriptor peer{context, ::dup(line.master)};
     // Noise, and QueryStatus of 200.1.34 with acknowledgement request.
@@ -695,24 +720,10 @@ TEST_CASE("two links at the ends of a serial line exchange a long message") {
     boost::asio::io_context context;
     const pseudo_terminal one, two; // their other ends are joined here
     station here{controller}, there{component};
-    net::jserial_link from{context, here.transport, {.device = file_of(one.master)}};
-    net::jserial_link to{context, there.transport, {.device = file_of(two.master)}};
+    net::jserial_link from{context, here.transport, {.device = one.device()}};
+    net::jserial_link to{context, there.transport, {.device = two.device()}};
     boost::asio::posix::stream_descriptor a{context, ::dup(one.master)}, b{context, ::dup(two.master)};
-    std::array<std::byte, 256> from_a{}, from_b{};
-    std::function<void(boost::asio::posix::stream_descriptor&, boost::asio::posix::stream_descriptor&,
-                       std::array<std::byte, 256>&)>
-        join = [&](auto& in, auto& out, auto& bytes) {
-            in.async_read_some(boost::asio::buffer(bytes),
-                               [&](const boost::system::error_code& error, std::size_t size) {
-                                   if (error) return;
-                                   boost::asio::async_write(out, boost::asio::buffer(bytes, size),
-                                                            [&](const boost::system::error_code& failed, std::size_t) {
-                                                                if (!failed) join(in, out, bytes);
-                                                            });
-                               });
-        };
-    join(a, b, from_a);
-    join(b, a, from_b);
+    support::join(a, b);
     from.start(here.handlers());
     to.start(there.handlers());
     REQUIRE(from.send({.source = controller, .destination = component, .is_acknowledged = true}, from_hex("0220")));
@@ -730,7 +741,7 @@ TEST_CASE("a serial line that goes away is opened again, and what is sent meanwh
     const auto device = std::filesystem::temp_directory_path() / ("jauscat-line-" + std::to_string(::getpid()));
     std::filesystem::remove(device);
     auto first = std::make_unique<pseudo_terminal>();
-    std::filesystem::create_symlink(file_of(first->master), device);
+    std::filesystem::create_symlink(first->device(), device);
     station there{component};
     net::jserial_link link{
         context, there.transport, {.device = device.string(), .reopen = {.first = 1ms, .longest = 5ms}}};
@@ -757,7 +768,7 @@ TEST_CASE("a serial line that goes away is opened again, and what is sent meanwh
     CHECK(link.counts().reopened == 0);
 
     const pseudo_terminal second;
-    std::filesystem::create_symlink(file_of(second.master), device);
+    std::filesystem::create_symlink(second.device(), device);
     REQUIRE(support::until(context, [&] { return link.counts().reopened == 1; }));
     CHECK(there.log.back() == "the serial line " + device.string() + " is open again");
     send(second.master, 2);

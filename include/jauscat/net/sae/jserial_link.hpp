@@ -45,6 +45,9 @@ class jserial_link {
     /// Opens the device. `transport` must outlive it, and has a group. Throws `open_error`.
     JAUSCAT_DECL jserial_link(boost::asio::io_context& context, sae::transport& transport,
                               const jserial_options& options);
+    /// The same as one of several media of a driver, which has the handlers.
+    JAUSCAT_DECL jserial_link(boost::asio::io_context& context, transport_driver& driver,
+                              const jserial_options& options);
     jserial_link(const jserial_link&) = delete;
     jserial_link& operator=(const jserial_link&) = delete;
 
@@ -56,11 +59,19 @@ class jserial_link {
     /// See sae::transport::send.
     result<std::uint16_t, sae::transport_errc> send(const sae::outgoing_message& message,
                                                     std::span<const std::byte> payload) {
-        return driver_.send(message, payload);
+        return medium_.send(message, payload);
     }
+    /// The number of the medium in its driver.
+    [[nodiscard]] std::size_t medium() const noexcept { return medium_.number(); }
+    /// The key in the transport of all components at the line.
+    [[nodiscard]] sae::endpoint_key key() const noexcept { return medium_.in_transport({}); }
     const jserial_counters& counts() const noexcept { return counters_; }
 
   private:
+    [[nodiscard]] transport_driver::put_handler putter() {
+        return [this](const sae::outgoing_datagram& datagram) { put(datagram); };
+    }
+    JAUSCAT_DECL void open_first();
     JAUSCAT_DECL void receive();
     JAUSCAT_DECL void received(std::span<const std::byte> bytes);
     JAUSCAT_DECL void put(const sae::outgoing_datagram& datagram);
@@ -77,7 +88,7 @@ class jserial_link {
     sae::jserial_reader reader_;
     std::array<std::byte, 4096> input_{};
     std::vector<std::byte> frame_{};
-    transport_driver driver_;
+    transport_medium medium_;
     std::optional<detail::bounded_writer<boost::asio::serial_port>> writer_{};
     jserial_counters counters_{};
     std::shared_ptr<char> alive_{std::make_shared<char>()};

@@ -38,6 +38,11 @@ struct jtcp_options {
     duration keep_alive{std::chrono::seconds{10}};
     /// A connection from which no byte comes for so long is closed. 0: no limit.
     duration idle_limit{};
+    /// The address of this machine from which connections are made; unspecified: the routing table chooses.
+    boost::asio::ip::address from{};
+    /// An attempt of `connect` ends after so long without an answer, such as of a host that is off; the system's limit,
+    /// about 2 minutes on Linux, applies where it is shorter. 0: the system's alone.
+    duration connect_timeout{std::chrono::seconds{5}};
     /// Pauses before a connection of `connect` is made again.
     pause_limits reconnect{};
 };
@@ -64,6 +69,9 @@ class jtcp_link {
     /// Opens the port. `transport` must outlive it. Throws `open_error`.
     JAUSCAT_DECL jtcp_link(boost::asio::io_context& context, sae::transport& transport,
                            const jtcp_options& options = {});
+    /// The same as one of several media of a driver, which has the handlers.
+    JAUSCAT_DECL jtcp_link(boost::asio::io_context& context, transport_driver& driver,
+                           const jtcp_options& options = {});
     JAUSCAT_DECL ~jtcp_link();
     jtcp_link(const jtcp_link&) = delete;
     jtcp_link& operator=(const jtcp_link&) = delete;
@@ -80,11 +88,17 @@ class jtcp_link {
     /// See sae::transport::send.
     result<std::uint16_t, sae::transport_errc> send(const sae::outgoing_message& message,
                                                     std::span<const std::byte> payload) {
-        return driver_.send(message, payload);
+        return medium_.send(message, payload);
     }
 
     /// Where connections are accepted.
     endpoint local() const { return acceptor_.local_endpoint(); }
+    /// The number of the medium in its driver.
+    [[nodiscard]] std::size_t medium() const noexcept { return medium_.number(); }
+    /// The peer of a connection by its key in the transport; nothing once it is closed.
+    [[nodiscard]] JAUSCAT_DECL std::optional<endpoint> peer_of(sae::endpoint_key key) const;
+    /// The key in the transport of the open connection that `connect(to)` has made.
+    [[nodiscard]] JAUSCAT_DECL std::optional<sae::endpoint_key> connection_to(const endpoint& to) const;
     /// Number of open connections.
     [[nodiscard]] std::size_t connections() const noexcept { return connections_.size(); }
     const jtcp_counters& counts() const noexcept { return counters_; }
@@ -93,11 +107,16 @@ class jtcp_link {
     struct connection;
     struct target;
 
+    [[nodiscard]] transport_driver::put_handler putter() {
+        return [this](const sae::outgoing_datagram& datagram) { put(datagram); };
+    }
+    JAUSCAT_DECL void listen();
     JAUSCAT_DECL void accept();
     JAUSCAT_DECL void accepted(boost::asio::ip::tcp::socket socket);
     JAUSCAT_DECL void open(boost::asio::ip::tcp::socket socket, const endpoint& peer,
                            const std::shared_ptr<target>& wanted);
     JAUSCAT_DECL void try_to_connect(const std::shared_ptr<target>& to);
+    JAUSCAT_DECL void give_up_later(const std::shared_ptr<target>& to);
     JAUSCAT_DECL void not_connected(const std::shared_ptr<target>& to, const std::string& why);
     JAUSCAT_DECL void try_again_later(const std::shared_ptr<target>& to);
     JAUSCAT_DECL void watch_idle(const std::shared_ptr<connection>& to);
@@ -111,8 +130,9 @@ class jtcp_link {
     jtcp_options options_;
     boost::asio::ip::tcp::acceptor acceptor_;
     boost::asio::steady_timer pause_; ///< after a failure to accept
-    transport_driver driver_;
+    transport_medium medium_;
     std::map<std::uint64_t, std::shared_ptr<connection>> connections_{}; ///< by their keys in the transport
+    std::vector<std::shared_ptr<target>> targets_{};                     ///< of `connect`
     std::uint64_t last_key_{};
     jtcp_counters counters_{};
     std::shared_ptr<char> alive_{std::make_shared<char>()};

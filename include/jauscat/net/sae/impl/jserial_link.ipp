@@ -18,12 +18,27 @@ JAUSCAT_DECL jserial_link::jserial_link(boost::asio::io_context& context, sae::t
       pauses_{options.reopen},
       message_(std::max(options.message_size, sae::transport_overhead)),
       reader_{message_},
-      driver_{context, transport, [this](const sae::outgoing_datagram& datagram) { put(datagram); }} {
+      medium_{context, transport, putter()} {
+    open_first();
+}
+JAUSCAT_DECL jserial_link::jserial_link(boost::asio::io_context& context, transport_driver& driver,
+                                        const jserial_options& options)
+    : options_{options},
+      port_{context},
+      pause_{context},
+      pauses_{options.reopen},
+      message_(std::max(options.message_size, sae::transport_overhead)),
+      reader_{message_},
+      medium_{driver, putter()} {
+    open_first();
+}
+
+JAUSCAT_DECL void jserial_link::open_first() {
     if (const auto error = open()) {
         const bool is_refused = error == boost::asio::error::access_denied;
         throw open_error{{.code = is_refused ? errc::not_permitted : errc::not_opened,
                           .reason = error,
-                          .message = "cannot open the serial line " + options.device + ": " + error.message() +
+                          .message = "cannot open the serial line " + options_.device + ": " + error.message() +
                                      (is_refused ? "; its group, mostly dialout, may use it" : "")}};
     }
     make_writer();
@@ -46,12 +61,12 @@ JAUSCAT_DECL void jserial_link::make_writer() {
 }
 
 JAUSCAT_DECL void jserial_link::start(sae_handlers handlers) {
-    driver_.start(std::move(handlers));
+    medium_.start(std::move(handlers));
     receive();
 }
 
 JAUSCAT_DECL void jserial_link::stop() {
-    driver_.stop();
+    medium_.stop();
     alive_ = std::make_shared<char>();
     pause_.cancel();
     boost::system::error_code ignored;
@@ -77,7 +92,7 @@ JAUSCAT_DECL void jserial_link::received(std::span<const std::byte> bytes) {
             return;
         }
         ++counters_.frames;
-        driver_.on_packet({}, sae::split(frame.message));
+        medium_.on_packet({}, sae::split(frame.message));
     });
 }
 
@@ -94,7 +109,7 @@ JAUSCAT_DECL void jserial_link::failed(const boost::system::error_code& error) {
     port_.close(ignored);
     reader_ = sae::jserial_reader{message_};
     reopen_later();
-    driver_.report("the serial line " + options_.device + " has failed: " + error.message() +
+    medium_.report("the serial line " + options_.device + " has failed: " + error.message() +
                    "; it is opened again when it is there: see its cable and its power");
 }
 
@@ -110,7 +125,7 @@ JAUSCAT_DECL void jserial_link::reopen_later() {
         make_writer();
         ++counters_.reopened;
         receive();
-        driver_.report("the serial line " + options_.device + " is open again");
+        medium_.report("the serial line " + options_.device + " is open again");
     });
 }
 

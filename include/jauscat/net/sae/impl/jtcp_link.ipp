@@ -24,7 +24,8 @@ struct jtcp_link::target {
 
     endpoint to;
     growing_pause pause;
-    boost::asio::steady_timer timer;
+    boost::asio::steady_timer timer; ///< of an attempt, and of the pause behind it
+    std::shared_ptr<boost::asio::ip::tcp::socket> attempt{};
     std::string reason{}; ///< of the last failure that was logged; empty after a connection
 };
 
@@ -55,21 +56,25 @@ struct jtcp_link::connection {
 
 JAUSCAT_DECL jtcp_link::jtcp_link(boost::asio::io_context& context, sae::transport& transport,
                                   const jtcp_options& options)
-    : context_{context},
-      options_{options},
-      acceptor_{context},
-      pause_{context},
-      driver_{context, transport, [this](const sae::outgoing_datagram& datagram) { put(datagram); }} {
-    if (!options.listen) return;
+    : context_{context}, options_{options}, acceptor_{context}, pause_{context}, medium_{context, transport, putter()} {
+    if (options.listen) listen();
+}
+JAUSCAT_DECL jtcp_link::jtcp_link(boost::asio::io_context& context, transport_driver& driver,
+                                  const jtcp_options& options)
+    : context_{context}, options_{options}, acceptor_{context}, pause_{context}, medium_{driver, putter()} {
+    if (options.listen) listen();
+}
+
+JAUSCAT_DECL void jtcp_link::listen() {
+    const auto& at = *options_.listen;
     boost::system::error_code error;
-    acceptor_.open(options.listen->protocol(), error);
+    acceptor_.open(at.protocol(), error);
     if (!error) acceptor_.set_option(boost::asio::socket_base::reuse_address{true}, error);
-    if (!error) acceptor_.bind(*options.listen, error);
+    if (!error) acceptor_.bind(at, error);
     if (!error) acceptor_.listen(boost::asio::socket_base::max_listen_connections, error);
     if (error)
-        throw open_error{bind_error(error,
-                                    "cannot accept connections at TCP port " + std::to_string(options.listen->port()),
-                                    options.listen->port(), "-tlpn")};
+        throw open_error{bind_error(error, "cannot accept connections at TCP port " + std::to_string(at.port()),
+                                    at.port(), "-tlpn")};
 }
 
 JAUSCAT_DECL jtcp_link::~jtcp_link() {
@@ -80,16 +85,21 @@ JAUSCAT_DECL jtcp_link::~jtcp_link() {
 }
 
 JAUSCAT_DECL void jtcp_link::start(sae_handlers handlers) {
-    driver_.start(std::move(handlers));
+    medium_.start(std::move(handlers));
     if (acceptor_.is_open()) accept();
 }
 
 JAUSCAT_DECL void jtcp_link::stop() {
     alive_ = std::make_shared<char>();
-    driver_.stop();
+    medium_.stop();
     boost::system::error_code ignored;
     acceptor_.close(ignored);
     pause_.cancel();
+    for (const auto& to : targets_) {
+        to->timer.cancel();
+        if (to->attempt) to->attempt->close(ignored);
+    }
+    targets_.clear();
     while (!connections_.empty()) close(connections_.begin()->first, {});
 }
 
@@ -102,7 +112,7 @@ JAUSCAT_DECL void jtcp_link::accept() {
             return accept();
         }
         // Such as too many open files: trying again at once would only fail again.
-        driver_.report("accepting a connection failed: " + error.message());
+        medium_.report("accepting a connection failed: " + error.message());
         pause_.expires_after(std::chrono::milliseconds{100});
         pause_.async_wait([this, token](const boost::system::error_code& aborted) {
             if (!aborted && !token.expired()) accept();
@@ -114,9 +124,12 @@ JAUSCAT_DECL void jtcp_link::accepted(boost::asio::ip::tcp::socket socket) {
     boost::system::error_code error;
     const auto from = socket.remote_endpoint(error);
     if (error) return; // it was closed meanwhile
-    if (!options_.accepted.empty() && std::ranges::find(options_.accepted, from.address()) == options_.accepted.end())
+    if (!options_.accepted.empty() && std::ranges::find(options_.accepted, from.address()) == options_.accepted.end()) {
         ++counters_.unknown_peer;
-    else if (connections_.size() >= options_.max_connections)
+        medium_.report("a connection from " + detail::text(from) +
+                       " is refused: its host is not accepted; give it as ip of a system with <jtcp>, or in the option"
+                       " accepted");
+    } else if (connections_.size() >= options_.max_connections)
         ++counters_.no_capacity;
     else {
         ++counters_.accepted;
@@ -125,31 +138,55 @@ JAUSCAT_DECL void jtcp_link::accepted(boost::asio::ip::tcp::socket socket) {
 }
 
 JAUSCAT_DECL void jtcp_link::connect(const endpoint& to) {
-    try_to_connect(std::make_shared<target>(context_, to, options_.reconnect));
+    targets_.push_back(std::make_shared<target>(context_, to, options_.reconnect));
+    try_to_connect(targets_.back());
 }
 
+// Whoever takes the attempt from the target decides: its connection, or its timeout.
 JAUSCAT_DECL void jtcp_link::try_to_connect(const std::shared_ptr<target>& to) {
-    auto socket = std::make_shared<boost::asio::ip::tcp::socket>(context_);
-    socket->async_connect(
-        to->to, [this, socket, to, token = std::weak_ptr<char>{alive_}](const boost::system::error_code& error) {
-            if (token.expired()) return;
-            if (error) return not_connected(to, error.message());
-            if (connections_.size() >= options_.max_connections) {
-                ++counters_.no_capacity;
-                return not_connected(to, "there are " + std::to_string(options_.max_connections) +
-                                             " connections already (option max_connections)");
-            }
-            ++counters_.connected;
-            if (!to->reason.empty()) driver_.report("connected to " + detail::text(to->to) + " again");
-            to->reason.clear();
-            open(std::move(*socket), to->to, to);
-        });
+    to->attempt = std::make_shared<boost::asio::ip::tcp::socket>(context_);
+    if (!options_.from.is_unspecified()) {
+        boost::system::error_code error;
+        to->attempt->open(to->to.protocol(), error);
+        if (!error) to->attempt->bind({options_.from, 0}, error);
+        if (error) return not_connected(to, "from " + options_.from.to_string() + ": " + error.message());
+    }
+    if (options_.connect_timeout > duration{}) give_up_later(to);
+    to->attempt->async_connect(to->to, [this, socket = to->attempt, to,
+                                        token = std::weak_ptr<char>{alive_}](const boost::system::error_code& error) {
+        if (token.expired() || to->attempt != socket) return;
+        to->attempt.reset();
+        to->timer.cancel();
+        if (error) return not_connected(to, error.message());
+        if (connections_.size() >= options_.max_connections) {
+            ++counters_.no_capacity;
+            return not_connected(to, "there are " + std::to_string(options_.max_connections) +
+                                         " connections already (option max_connections)");
+        }
+        ++counters_.connected;
+        if (!to->reason.empty()) medium_.report("connected to " + detail::text(to->to) + " again");
+        to->reason.clear();
+        open(std::move(*socket), to->to, to);
+    });
+}
+
+JAUSCAT_DECL void jtcp_link::give_up_later(const std::shared_ptr<target>& to) {
+    to->timer.expires_at(to_steady(saturating_add(now(), options_.connect_timeout)));
+    to->timer.async_wait([this, socket = to->attempt, to,
+                          token = std::weak_ptr<char>{alive_}](const boost::system::error_code& aborted) {
+        if (aborted || token.expired() || to->attempt != socket) return;
+        to->attempt.reset();
+        boost::system::error_code ignored;
+        socket->close(ignored);
+        const auto limit = std::chrono::duration_cast<std::chrono::milliseconds>(options_.connect_timeout);
+        not_connected(to, "no answer within " + std::to_string(limit.count()) + " ms (option connect_timeout)");
+    });
 }
 
 JAUSCAT_DECL void jtcp_link::not_connected(const std::shared_ptr<target>& to, const std::string& why) {
     ++counters_.failed;
     if (to->reason != why)
-        driver_.report("cannot connect to " + detail::text(to->to) + ": " + why +
+        medium_.report("cannot connect to " + detail::text(to->to) + ": " + why +
                        "; it is tried again: start the program there, or correct the address");
     to->reason = why;
     try_again_later(to);
@@ -167,7 +204,7 @@ JAUSCAT_DECL void jtcp_link::open(boost::asio::ip::tcp::socket socket, const end
     boost::system::error_code ignored;
     socket.set_option(boost::asio::ip::tcp::no_delay{true}, ignored);
     if (options_.keep_alive > duration{} && !detail::set_keep_alive(socket, options_.keep_alive))
-        driver_.report("the connection with " + detail::text(peer) +
+        medium_.report("the connection with " + detail::text(peer) +
                        " has no keep-alive: " + last_system_error().message());
     const auto key = ++last_key_;
     const auto opened = std::make_shared<connection>(
@@ -216,10 +253,23 @@ JAUSCAT_DECL void jtcp_link::received(connection& from, std::span<const std::byt
         if (token.expired()) return; // a handler has stopped it
         if (from.wanted) from.wanted->pause.reset();
         if (from.bucket.take(options_.limit, now()))
-            driver_.on_packet({from.key}, packet);
+            medium_.on_packet({from.key}, packet);
         else
             ++counters_.rate_limited;
     });
+}
+
+JAUSCAT_DECL std::optional<jtcp_link::endpoint> jtcp_link::peer_of(sae::endpoint_key key) const {
+    const auto found = connections_.find(transport_medium::own_key(key).value);
+    return found == connections_.end() ? std::nullopt : std::optional{found->second->peer};
+}
+
+JAUSCAT_DECL std::optional<sae::endpoint_key> jtcp_link::connection_to(const endpoint& to) const {
+    const auto found = std::ranges::find_if(connections_, [&](const auto& one) {
+        const auto& wanted = one.second->wanted;
+        return wanted && wanted->to == to;
+    });
+    return found == connections_.end() ? std::nullopt : std::optional{medium_.in_transport({found->first})};
 }
 
 JAUSCAT_DECL void jtcp_link::put(const sae::outgoing_datagram& datagram) {
@@ -251,13 +301,13 @@ JAUSCAT_DECL void jtcp_link::close(std::uint64_t key, const std::string& why) {
     closed->socket.close(ignored);
     closed->idle.cancel();
     connections_.erase(found);
-    driver_.transport().forget({key});
+    medium_.forget({key});
     if (why.empty()) return;
     if (closed->wanted) {
         closed->wanted->reason = why;
         try_again_later(closed->wanted);
     }
-    driver_.report("the connection with " + detail::text(closed->peer) + " has ended: " + why +
+    medium_.report("the connection with " + detail::text(closed->peer) + " has ended: " + why +
                    (closed->wanted ? "; it is made again" : ""));
 }
 

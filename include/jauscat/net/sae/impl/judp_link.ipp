@@ -22,26 +22,58 @@ JAUSCAT_DECL judp_link::judp_link(boost::asio::io_context& context, sae::transpo
     : accepted_{options.accepted},
       limit_{options.limit, std::random_device{}()},
       socket_{context, checked(options.local), options.socket},
-      driver_{context, transport, [this](const sae::outgoing_datagram& datagram) { put(datagram); }} {
+      medium_{context, transport, putter()} {
+    open(context, options);
+}
+JAUSCAT_DECL judp_link::judp_link(boost::asio::io_context& context, transport_driver& driver,
+                                  const judp_options& options)
+    : accepted_{options.accepted},
+      limit_{options.limit, std::random_device{}()},
+      socket_{context, checked(options.local), options.socket},
+      medium_{driver, putter()} {
+    open(context, options);
+}
+
+JAUSCAT_DECL void judp_link::open(boost::asio::io_context& context, const judp_options& options) {
     if (options.group) {
         group_ = endpoint{options.group->group, options.group->port};
-        socket_.join(*options.group);
+        if (options.local.address().is_unspecified()) {
+            socket_.join(*options.group);
+        } else {
+            auto shared = options.socket;
+            shared.reuse_address = true;
+            group_socket_.emplace(context, *group_, shared);
+            group_socket_->join(*options.group);
+        }
         socket_.send_multicast_by(*options.group);
     }
-    socket_.set_filter([this](std::span<const std::byte>, const endpoint& from, jaus::framing) { return check(from); });
+    const auto accept = [this](std::span<const std::byte>, const endpoint& from, jaus::framing) { return check(from); };
+    socket_.set_filter(accept);
+    if (group_socket_) group_socket_->set_filter(accept);
 }
 
 JAUSCAT_DECL void judp_link::start(sae_handlers handlers, ra_handler on_ra_message) {
-    driver_.start(std::move(handlers));
+    medium_.start(std::move(handlers));
     on_ra_message_ = std::move(on_ra_message);
-    socket_.start([this](std::span<const std::byte> message, const endpoint& from,
-                         jaus::framing framing) { received(message, from, framing); },
-                  [this](std::string_view text) { driver_.report(text); });
+    const auto on_message = [this](std::span<const std::byte> message, const endpoint& from, jaus::framing framing) {
+        received(message, from, framing);
+    };
+    const auto on_error = [this](std::string_view text) { medium_.report(text); };
+    socket_.start(on_message, on_error);
+    if (group_socket_) group_socket_->start(on_message, on_error);
 }
 
 JAUSCAT_DECL void judp_link::stop() {
-    driver_.stop();
+    medium_.stop();
     socket_.stop();
+    if (group_socket_) group_socket_->stop();
+}
+
+JAUSCAT_DECL udp_counters judp_link::counts() const noexcept {
+    auto all = socket_.counts();
+    if (group_socket_)
+        for (const auto& counter : udp_counter_list) all.*counter.value += group_socket_->counts().*counter.value;
+    return all;
 }
 
 JAUSCAT_DECL sae::endpoint_key judp_link::key_of(const endpoint& from) noexcept {
@@ -63,9 +95,9 @@ JAUSCAT_DECL void judp_link::received(std::span<const std::byte> message, const 
     auto form = jaus::datagram_form::judp1; // the transport did not see what the socket has removed
     if (framing == jaus::framing::jaus01) form = jaus::datagram_form::jaus01;
     if (framing == jaus::framing::bare)
-        form = driver_.on_datagram(key_of(from), message);
+        form = medium_.on_datagram(key_of(from), message);
     else
-        driver_.transport().count_foreign(form);
+        medium_.count_foreign(form);
     if (form == jaus::datagram_form::judp2) return;
     if (on_ra_message_ && form != jaus::datagram_form::unknown && form != jaus::datagram_form::judp1_compressed)
         on_ra_message_(message, from, framing);
@@ -75,7 +107,7 @@ JAUSCAT_DECL void judp_link::received(std::span<const std::byte> message, const 
 
 JAUSCAT_DECL void judp_link::name(jaus::datagram_form form, const endpoint& from) {
     if (!named_.is_new(from.address(), form)) return;
-    driver_.report(
+    medium_.report(
         "a datagram from " + detail::text(from) + " is dropped: it is " + std::string{describe(form)} +
         ", which is not served here: give start a handler of RA messages, such as a node's (docs/sae-transport.md); the"
         " next ones of this host are only counted");
@@ -84,7 +116,7 @@ JAUSCAT_DECL void judp_link::name(jaus::datagram_form form, const endpoint& from
 JAUSCAT_DECL void judp_link::put(const sae::outgoing_datagram& datagram) {
     if (!datagram.to && !group_) return; // the transport sends nothing to a group that it does not have
     const auto to = datagram.to ? endpoint_of(*datagram.to) : *group_;
-    if (const auto sent = socket_.send(datagram.bytes, to); !sent) driver_.report(sent.error().message);
+    if (const auto sent = socket_.send(datagram.bytes, to); !sent) medium_.report(sent.error().message);
 }
 
 } // namespace JAUSCAT_WAY
