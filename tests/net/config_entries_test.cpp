@@ -1,6 +1,7 @@
 // JausConfig.xml beyond addresses: several addresses, multicast, limits, nodes and components.
 #include "net/config_text.hpp"
 #include "support/paths.hpp"
+#include <jauscat/net/config/access_list.hpp>
 
 #include <chrono>
 #include <filesystem>
@@ -392,6 +393,86 @@ TEST_CASE("the root element may name its schema") {
           "test.xml:4: unknown \"xmlns:x\" in <limits>; remove it or correct its name");
 }
 
+TEST_CASE("a system may speak SAE JAUS beside the RA, or alone") {
+    const auto both = system_b("<sae id='126.1.0'><judp/><jtcp listen='3795' connect='c'/></sae></system>\n"
+                               "<system name='c' ip='10.0.0.3'><sae id='126.2.10'><jtcp listen='3794'/></sae>");
+    CHECK(both.has_ra);
+    REQUIRE(both.sae);
+    CHECK(both.sae->id == sae::jaus_id{0, 1, 126});
+    REQUIRE(both.sae->judp);
+    CHECK_FALSE(both.sae->judp->group);
+    REQUIRE(both.sae->jtcp);
+    CHECK(both.sae->jtcp->listen == 3795);
+    CHECK(both.sae->jtcp->connect == std::vector<std::string>{"c"});
+    CHECK_FALSE(both.sae->jserial);
+
+    const auto alone = parse("<thissystem>a</thissystem>" + system_a +
+                             "<system name='b'><sae id='126.0.0'><jserial device='/dev/ttyS0'/></sae></system>\n"
+                             "<system name='c' ip='10.0.0.3' port='3794'><sae id='126.1.0'><judp><multicast/></judp>"
+                             "</sae></system>\n"
+                             "<system name='d' ip='10.0.0.4' port='3794'><sae id='126.1.10'><judp/></sae></system>\n");
+    const auto& b = *alone.find("b");
+    CHECK_FALSE(b.has_ra);
+    REQUIRE(b.sae->jserial);
+    CHECK(b.sae->jserial->device == "/dev/ttyS0");
+    CHECK(b.sae->jserial->baud == 115'200);
+    CHECK(alone.find("c")->sae->judp->group == net::judp_multicast());
+    const auto name_of = [&](sae::jaus_id id) { return alone.system_of(id) ? alone.system_of(id)->name : "none"; };
+    CHECK(name_of({10, 1, 126}) == "d");
+    CHECK(name_of({11, 1, 126}) == "c");
+    CHECK(name_of({10, 2, 126}) == "b");
+    CHECK(name_of({10, 1, 127}) == "none");
+    CHECK(alone.next_hop({1, 10, 1, 126}) == nullptr); // the RA does not see them
+    REQUIRE(alone.next_hop({1, 10, 1, 1}) != nullptr);
+    const net::access_list list{alone};
+    CHECK(list.is_open()); // as if a were the only system
+}
+
+TEST_CASE("mistakes in <sae> are told in one run, by line") {
+    const auto sae_in_b = [](const std::string& lines) {
+        return complaint_in_b("<sae id='126.1.10'>\n" + lines + "</sae>");
+    };
+    CHECK(complaint("<jausconfig thissystem='a'>\n" + system_a +
+                    "<system name='b' ip='10.0.0.2'>\n"
+                    "<multicast/>\n"
+                    "<sae id='126.0.10'>\n"
+                    "<judp speed='1'/>\n"
+                    "<jtcp listen='x'/>\n"
+                    "<jserial baud='0'/>\n"
+                    "</sae></system>\n"
+                    "<system name='c' jausip='3.0.0.0' ip='::1' port='3794'><sae id='1.1.1'>\n"
+                    "<judp/></sae><component id='1'/></system>\n"
+                    "<system name='d'><sae id='2.1.1'/>\n"
+                    "<component id='1'/></system></jausconfig>") ==
+          "test.xml:4: <multicast> of a <system> without jausip has no use; put it into <judp>, or give a jausip\n"
+          "test.xml:5: id \"126.0.10\" is not subsystem.node.component, such as 126.1.10, or 126.1.0 or 126.0.0 for all"
+          " of that level: subsystem 1 to 65534, the others to 254\n"
+          "test.xml:6: <judp> needs <port> in its <system>\n"
+          "test.xml:6: unknown \"speed\" in <judp>; remove it or correct its name\n"
+          "test.xml:7: listen \"x\" is not a TCP port, 1 to 65535\n"
+          "test.xml:8: this <jserial> needs <device>\n"
+          "test.xml:8: baud \"0\" is not a number of bits each second, 50 to 4000000\n"
+          "test.xml:10: <judp> needs an IPv4 address, and the ip ::1 is of IPv6\n"
+          "test.xml:12: <sae> has no medium; give <judp/>, <jtcp> or <jserial>\n"
+          "test.xml:13: <component> of a <system> without jausip has no use; give a jausip");
+    for (const auto* id : {"126.1", "126.1.255", "126.255.0", "65535.1.1", "0.1.1", "0.0.0", "a.1.1", ""})
+        CHECK(complaint_in_b("<sae id='" + std::string{id} + "'><judp/></sae>") != "accepted");
+    CHECK(sae_in_b("<jtcp/>") ==
+          "test.xml:5: <jtcp> has no use; give listen, the port at which it accepts connections, or"
+          " connect, the names of systems");
+    CHECK(sae_in_b("<jtcp connect='c'/>") == "test.xml:4: there is no system \"c\"; the file has: a, b");
+    CHECK(sae_in_b("<jtcp connect='b'/>") == "test.xml:4: the system \"b\" connects to itself; remove it from connect");
+    CHECK(sae_in_b("<jtcp connect='a'/>") ==
+          "test.xml:4: the system \"a\" accepts no connections; give it <sae> with <jtcp listen=...>");
+    CHECK(sae_in_b("<jtcp connect='a a'/>") == "test.xml:5: the system \"a\" is given twice in connect; keep one");
+    CHECK(sae_in_b("<judp/><judp/>") == "test.xml:5: \"judp\" is given twice in <sae>; keep one");
+    CHECK(sae_in_b("<judp><multicast group='10.0.0.1'/></judp>") ==
+          "test.xml:5: group \"10.0.0.1\" is no multicast group, such as 239.255.0.1");
+    CHECK(complaint_in_b("<sae id='126.1.10'><judp/></sae></system>\n"
+                         "<system name='c' ip='10.0.0.3' port='1'><sae id='126.1.10'><judp/></sae>") ==
+          "test.xml:5: the id 126.1.10 is taken by the <sae> in line 4; give each its own");
+}
+
 // The same files are given to the schema by schema.sh.
 TEST_CASE("files are accepted and refused as by the schema") {
     const std::filesystem::path folder{support::source_file("tests/net/config")};
@@ -421,6 +502,12 @@ TEST_CASE("a file with every option is read completely") {
     CHECK(config.masters_of("arm").size() == 2);
     CHECK(config.find("arm")->ethercat->slaves.size() == 3);
     CHECK(config.find("arm")->components.at(0).slaves.size() == 2);
+    const auto& media = *config.find("payload")->sae;
+    CHECK(media.judp->group->interface_name == "eth0");
+    CHECK_FALSE(media.judp->group->loop);
+    CHECK(media.jtcp->connect == std::vector<std::string>{"station"});
+    CHECK(media.jserial->baud == 57600);
+    CHECK(config.find("station")->sae->jtcp->listen == 3795);
 }
 
 TEST_CASE("a file with 250 subsystems of 254 nodes is read quickly, with the lines of all") {

@@ -222,6 +222,7 @@ TEST_CASE("a system's missing, unknown, repeated or invalid value is refused wit
     CHECK(complaint_about("<system name='b' jausip='2.0.0.0' ip='10.0.0.2' port='1' baud='9600'/>") ==
           "test.xml:3: unknown \"baud\" in <system>; remove it or correct its name");
     CHECK(complaint_about("<system name='b' jausip='2.0.0.0' port='1'/>") == "test.xml:3: this <system> needs <ip>");
+    CHECK(complaint_about("<system name='b' ip='10.0.0.2' port='1'/>") == "test.xml:3: this <system> needs <jausip>");
     CHECK(complaint_about("<sytem name='b' jausip='2.0.0.0' ip='10.0.0.2' port='1'/>") ==
           "test.xml:3: unknown \"sytem\" in <jausconfig>; remove it or correct its name");
 }

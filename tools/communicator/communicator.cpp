@@ -346,6 +346,7 @@ class communicator {
     void peers() {
         std::string lines, names, heard;
         for (const auto& system : config_.systems) {
+            if (!system.has_ra) continue;
             names += (names.empty() ? "" : " ") + system.name;
             lines += "  " + padded(system.name, 12) + padded(net::to_jausip(system.jausip), 17) +
                      padded(net_address(system), 28) + "framing " + std::string{jaus::name(system.framing)} +

@@ -39,13 +39,14 @@ class access_list {
         std::optional<std::size_t> peer{}; ///< see above
     };
 
-    /// The systems of `config`. Closed by default; open by default if the configuration has no other system.
+    /// The systems of `config` that speak the RA. Closed by default; open if there is no other one.
     explicit access_list(const jaus_config& config, access how = access::closed)
-        : how_{config.systems.size() > 1 ? how : access::open},
+        : how_{std::ranges::count_if(config.systems, &system_entry::has_ra) > 1 ? how : access::open},
           places_(std::bit_ceil(config.systems.size() + config.systems.size() / 2 + 2)),
           peers_{places_} {
         for (const auto& system : config.systems) {
-            static_cast<void>(peers_.insert(system.jausip, static_cast<std::uint32_t>(senders_.size())));
+            if (system.has_ra)
+                static_cast<void>(peers_.insert(system.jausip, static_cast<std::uint32_t>(senders_.size())));
             sender made{.ips = {system.ip}, .port = system.any_source_port ? std::uint16_t{0} : system.port};
             made.ips.insert(made.ips.end(), system.more_ips.begin(), system.more_ips.end());
             for (auto& ip : made.ips) ip = detail::unmapped(ip);

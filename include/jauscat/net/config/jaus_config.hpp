@@ -4,6 +4,7 @@
 #include <jauscat/jaus/message/framing.hpp>
 #include <jauscat/jaus/routing/node_description.hpp>
 #include <jauscat/net/config/jausip.hpp>
+#include <jauscat/net/config/sae_entry.hpp>
 #include <jauscat/net/config/slave_entry.hpp>
 #include <jauscat/net/config/udp_options.hpp>
 #include <jauscat/net/config_error.hpp>
@@ -70,7 +71,7 @@ struct system_limits {
     friend bool operator==(const system_limits&, const system_limits&) = default;
 };
 
-/// One JAUS system and the socket it listens on.
+/// One JAUS system and the socket it listens on. It has a jausip, and so speaks the RA, or `sae`, or both.
 struct system_entry {
     /// Addresses that a system may have.
     static constexpr std::size_t max_ips = 8;
@@ -90,6 +91,8 @@ struct system_entry {
     std::vector<node_entry> nodes{};                  ///< nodes with a name; ids are unique
     std::vector<component_entry> components{};        ///< ids are unique in the whole file
     std::optional<ethercat_entry> ethercat{};         ///< the master that gets its messages
+    bool has_ra{true};                                ///< false: without jausip, it does not exist for the RA
+    std::optional<sae_entry> sae{};                   ///< its SAE JAUS
 
     boost::asio::ip::udp::endpoint endpoint() const { return {ip, port}; }
     friend bool operator==(const system_entry&, const system_entry&) = default;
@@ -116,6 +119,10 @@ struct jaus_config {
     /// A level of 0 in an entry covers every ID. If several entries match, the one that names the higher level is
     /// selected: 1.2.0.0 before 1.0.33.0 before 1.0.0.0 before 0.0.0.0.
     const system_entry* next_hop(const jaus::address& destination) const noexcept;
+
+    /// The system of SAE JAUS that has a component, or null; it may be `me()`. If several ids match, the one that
+    /// names the most is selected: 126.1.10 before 126.1.0 before 126.0.0.
+    const system_entry* system_of(const sae::jaus_id& component) const noexcept;
 
     /// The systems with masters run by the system `controller`, in the order of the file.
     std::vector<const system_entry*> masters_of(std::string_view controller) const;
@@ -170,9 +177,19 @@ inline jaus_config jaus_config::with_this(std::string_view name) const {
 inline const system_entry* jaus_config::next_hop(const jaus::address& destination) const noexcept {
     const system_entry* best = nullptr;
     for (const auto& entry : systems)
-        if (detail::covers(entry.jausip, destination) &&
+        if (entry.has_ra && detail::covers(entry.jausip, destination) &&
             (!best || detail::rank(entry.jausip) > detail::rank(best->jausip)))
             best = &entry;
+    return best;
+}
+
+inline const system_entry* jaus_config::system_of(const sae::jaus_id& component) const noexcept {
+    const auto named = [](const system_entry& entry) {
+        return (entry.sae->id.node != 0 ? 1 : 0) + (entry.sae->id.component != 0 ? 1 : 0);
+    };
+    const system_entry* best = nullptr;
+    for (const auto& entry : systems)
+        if (entry.sae && sae::covers(entry.sae->id, component) && (!best || named(entry) > named(*best))) best = &entry;
     return best;
 }
 

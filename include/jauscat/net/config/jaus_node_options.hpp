@@ -76,11 +76,11 @@ struct jaus_node_options {
     std::function<void(const jaus::address& who)> appeared{}, disappeared{};
     /// Called with each datagram of SAE JAUS (AS5669A, version 2) at the node's port or at `sae_group`. In a closed
     /// node its host must be that of a system of the configuration; the datagram counts in the rate of that system.
-    /// Empty: such datagrams are dropped and counted, and the log names each host once. See shared_judp.
+    /// Empty: such datagrams are dropped and counted, and the log names each host once. See sae_node, shared_judp.
     std::function<void(std::span<const std::byte> datagram, const boost::asio::ip::udp::endpoint& from)>
         on_sae_datagram{};
-    /// The group of SAE JAUS, which the node joins for on_sae_datagram. Datagrams to groups are sent with interface,
-    /// TTL and loop of the system's `<multicast>`, where it has one.
+    /// The group of SAE JAUS, which the node joins for on_sae_datagram; nothing: that of the system's `<judp>`.
+    /// Datagrams to groups are sent with interface, TTL and loop of the system's `<multicast>`, where it has one.
     std::optional<multicast_options> sae_group{};
     /// Called with the outcome of a large data set that requested an acknowledgement, and with the header that `send`
     /// got. Acknowledged: the receiving

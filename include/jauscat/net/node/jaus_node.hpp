@@ -10,6 +10,7 @@
 #include <boost/asio/io_context.hpp>
 
 #include <memory>
+#include <optional>
 
 namespace jauscat::net {
 inline namespace JAUSCAT_WAY {
@@ -107,6 +108,7 @@ class jaus_node {
         void operator()(bytes message) const { node.put(message); }
     };
 
+    [[nodiscard]] std::optional<multicast_options> sae_group() const;
     verdict check(bytes message, const endpoint& from, jaus::framing how);
     void received(bytes message, const endpoint& from, jaus::framing how, bool by_group, duration waited);
     JAUSCAT_DECL void put(bytes message);

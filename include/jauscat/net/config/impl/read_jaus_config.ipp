@@ -1,6 +1,7 @@
 // The reader of JausConfig.xml, see read_jaus_config.hpp.
 #pragma once
 #include <jauscat/net/config/config_ethercat.hpp>
+#include <jauscat/net/config/config_sae.hpp>
 #include <jauscat/net/config/detail/config_values.hpp>
 #include <jauscat/net/config/read_jaus_config.hpp>
 
@@ -35,7 +36,10 @@ class config_reader {
             source_.note(config_errc::missing, "system", source_.line_of(root),
                          "no <system>; give at least one, with <name>, <jausip>, <ip> and <port>");
 
-        if (!source_.has_problems()) check_ethercat(source_, config_);
+        if (!source_.has_problems()) {
+            check_ethercat(source_, config_);
+            check_sae(source_, config_);
+        }
         const auto& this_system = values[0];
         if (!this_system.given)
             source_.note(config_errc::missing, "thissystem", source_.line_of(root),
@@ -59,28 +63,38 @@ class config_reader {
                           config_value{"type"}};
         auto& [name, jausip, ip, port, framing, source_port, type] = values;
         std::vector<config_value> ips;
-        source_.collect(node, values, {"multicast", "limits", "ethercat", "node", "component"}, "ip", &ips);
+        source_.collect(node, values, {"multicast", "limits", "ethercat", "node", "component", "sae"}, "ip", &ips);
         if (!ips.empty()) ip = ips.front();
-        source_.need(node, {name, jausip, ip, port});
+        source_.need(node, {name});
+        const bool has_ra = jausip.given || !node.child("sae");
+        if (has_ra) source_.need(node, {jausip, ip, port});
         constexpr std::array framings{jaus::framing::bare, jaus::framing::jaus01, jaus::framing::judp1};
         using enum jaus::subsystem_type;
         constexpr std::array types{other, vehicle, operator_control_unit};
         system_entry made{.name = unique_name(name),
-                          .jausip = unique_jausip(jausip),
+                          .jausip = has_ra ? unique_jausip(jausip) : jaus::address{},
                           .ip = config_ip(source_, ip),
                           .port = port_of(port),
                           .framing = framings[config_one_of(source_, framing, {"bare", "JAUS01.0", "judp1"})],
                           .type = types[config_one_of(source_, type, {"other", "vehicle", "operator"})],
-                          .line = source_.line_of(node)};
+                          .line = source_.line_of(node),
+                          .has_ra = has_ra};
         for (const auto& more : std::span{ips}.subspan(ips.empty() ? 0 : 1)) add_ip(made, more);
         made.any_source_port = config_choice(source_, source_port, "same", "any");
         source_.attempt([&] {
-            if (const auto child = source_.only_child(node, "multicast")) made.multicast = multicast(child, made);
+            if (const auto child = source_.only_child(node, "multicast")) made.multicast = multicast(child, made, {});
         });
+        source_.attempt([&] {
+            if (const auto child = source_.only_child(node, "sae"))
+                made.sae = config_sae(source_, child, ip, port,
+                                      [&](pugi::xml_node group) { return multicast(group, made, judp_multicast()); });
+        });
+        if (made.sae) check_sae_of(made, node);
         source_.attempt([&] {
             if (const auto child = source_.only_child(node, "limits")) made.limits = limits(child);
         });
-        if (made.jausip == jaus::address{} && jausip.text != "0.0.0.0") return made; // what follows is relative to it
+        if (has_ra && made.jausip == jaus::address{} && jausip.text != "0.0.0.0")
+            return made; // what follows is relative to it
         source_.attempt([&] {
             if (const auto child = source_.only_child(node, "ethercat"))
                 made.ethercat = config_ethercat(source_, child, made);
@@ -108,7 +122,8 @@ class config_reader {
                              " is not subsystem.node.component.instance, each 0 (all) to 254, such as 1.0.0.0");
             return {};
         }
-        const auto taken = std::ranges::find(config_.systems, *id, &system_entry::jausip);
+        const auto taken = std::ranges::find_if(
+            config_.systems, [&](const system_entry& other) { return other.has_ra && other.jausip == *id; });
         if (taken != config_.systems.end())
             source_.note(config_errc::duplicate, value,
                          "the jausip " + to_jausip(*id) + " is taken by the <system> in line " +
@@ -134,26 +149,48 @@ class config_reader {
         entry.more_ips.push_back(std::move(address));
     }
 
-    multicast_options multicast(pugi::xml_node node, const system_entry& entry) const {
+    multicast_options multicast(pugi::xml_node node, const system_entry& entry, multicast_options made) const {
         std::array values{config_value{"group"}, config_value{"port"}, config_value{"ttl"}, config_value{"interface"},
                           config_value{"loop"}};
         source_.collect(node, values);
         const auto& [group, port, ttl, interface_name, loop] = values;
-        multicast_options made;
-        if (group.given) made.group = config_ip(source_, group, "224.1.0.1");
+        const auto example = made.group.to_string();
+        if (group.given) made.group = config_ip(source_, group, example);
         if (!made.group.is_multicast())
             source_.note(config_errc::invalid_value, group,
-                         "group " + quoted(group.text) + " is no multicast group, such as 224.1.0.1");
+                         "group " + quoted(group.text) + " is no multicast group, such as " + example);
         if (made.group.is_v6() != entry.ip.is_v6())
             source_.note(config_errc::inconsistent, group.name, group.given ? group.line : source_.line_of(node),
                          "the group " + made.group.to_string() + " and the ip " + entry.ip.to_string() +
                              " are of different IP versions; give a group of the other, such as " +
-                             (entry.ip.is_v6() ? "ff15::e001:1" : "224.1.0.1"));
+                             (entry.ip.is_v6() ? "ff15::e001:1" : example));
         made.port = config_number_or<std::uint16_t>(source_, port, made.port, 1, 65535, "a UDP port");
         made.ttl = config_number_or<std::uint8_t>(source_, ttl, made.ttl, 0, 255, "a number of hops");
         made.interface_name = interface_name.text;
         made.loop = !loop.given || config_choice(source_, loop, "no", "yes");
         return made;
+    }
+
+    // What is of the RA, and what another system has.
+    void check_sae_of(const system_entry& entry, pugi::xml_node node) const {
+        const auto& mine = *entry.sae;
+        if (mine.judp && entry.ip.is_v6())
+            source_.note(config_errc::inconsistent, "judp", mine.line,
+                         "<judp> needs an IPv4 address, and the ip " + entry.ip.to_string() + " is of IPv6");
+        if (!entry.has_ra)
+            for (const char* const name : {"multicast", "ethercat", "node", "component"})
+                if (const auto child = node.child(name))
+                    source_.note(config_errc::inconsistent, child,
+                                 '<' + std::string{name} + "> of a <system> without jausip has no use" +
+                                     (child == node.child("multicast") ? "; put it into <judp>, or give a jausip"
+                                                                       : "; give a jausip"));
+        if (mine.id == sae::jaus_id{}) return; // noted before
+        for (const auto& other : config_.systems)
+            if (other.sae && other.sae->id == mine.id)
+                source_.note(config_errc::duplicate, "id", mine.line,
+                             "the id " + std::string{sae::jaus_id_text{mine.id}.view()} +
+                                 " is taken by the <sae> in line " + std::to_string(other.sae->line) +
+                                 "; give each its own");
     }
 
     system_limits limits(pugi::xml_node node) const {

@@ -20,6 +20,9 @@ namespace jauscat::net::detail {
 /// its <node> entries, or 1. Throws `config_error`.
 inline jaus::address manager_of(const jaus_config& config, std::uint8_t node) {
     const auto& me = config.me();
+    if (!me.has_ra)
+        throw complaint(config, config_errc::inconsistent, "jausip", me.line,
+                        "this system has no jausip; a node of the RA needs one, such as 1.0.0.0");
     if (me.jausip.subsystem == 0)
         throw complaint(config, config_errc::inconsistent, "jausip", me.line,
                         "this system's jausip " + to_jausip(me.jausip) +
@@ -63,7 +66,7 @@ class node_routes {
                                    config.source + ": component " + to_jausip(components[i]) + ": " +
                                        std::string{describe(what)}};
         for (const auto& system : config.systems)
-            hop_of_system_.push_back(&system == &config.me() ? jaus::unknown_hop : add(system));
+            hop_of_system_.push_back(&system == &config.me() || !system.has_ra ? jaus::unknown_hop : add(system));
         if (config.me().multicast) add_group(*config.me().multicast);
     }
     node_routes(const node_routes&) = delete;
@@ -140,7 +143,7 @@ class node_routes {
         static_cast<void>(table_.add_route({.node = 255, .subsystem = 255}, *group_));
         // It replaces single routes only if every node of the subsystem is a member.
         const bool by_all = std::ranges::all_of(config_.systems, [&](const system_entry& system) {
-            return system.jausip.subsystem != table_.subsystem() || shares_group(system);
+            return !system.has_ra || system.jausip.subsystem != table_.subsystem() || shares_group(system);
         });
         if (by_all) static_cast<void>(table_.add_route({.node = 255, .subsystem = table_.subsystem()}, *group_));
     }

@@ -39,7 +39,7 @@ JAUSCAT_DECL void jaus_node::start() {
     try {
         const auto& options = machine_.options();
         parts_->socket.emplace(context_, config(), options.socket,
-                               options.on_sae_datagram ? options.sae_group : std::nullopt);
+                               options.on_sae_datagram ? sae_group() : std::nullopt);
     } catch (...) {
         machine_.stop();
         throw;
@@ -49,6 +49,11 @@ JAUSCAT_DECL void jaus_node::start() {
         [this](bytes message, const auto&... from) { received(message, from...); },
         [this](std::string_view problem) { machine_.log(problem, now()); });
     arm();
+}
+inline std::optional<multicast_options> jaus_node::sae_group() const {
+    const auto& given = machine_.options().sae_group;
+    const auto& sae = config().me().sae;
+    return given || !sae || !sae->judp ? given : sae->judp->group;
 }
 JAUSCAT_DECL void jaus_node::stop() {
     if (!running()) return;
