@@ -7,6 +7,7 @@
 #include <jauscat/net/config/jaus_node_options.hpp>
 #include <jauscat/net/config/jausip.hpp>
 #include <jauscat/net/config/read_jaus_config.hpp>
+#include <jauscat/net/config/sae_entry.hpp>
 #include <jauscat/net/config/udp_options.hpp>
 #include <jauscat/net/config/verdict.hpp>
 #include <jauscat/net/config_error.hpp>
@@ -35,6 +36,7 @@
 #include <jauscat/net/sae/jserial_link.hpp>
 #include <jauscat/net/sae/jtcp_link.hpp>
 #include <jauscat/net/sae/judp_link.hpp>
+#include <jauscat/net/sae/sae_node.hpp>
 #include <jauscat/net/sae/shared_judp.hpp>
 #include <jauscat/net/sae/transport_driver.hpp>
 #include <jauscat/version.hpp>

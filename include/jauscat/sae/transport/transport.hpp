@@ -205,6 +205,8 @@ class transport {
 
     /// Configures where a component is; false if no place is free.
     [[nodiscard]] JAUSCAT_CONSTEXPR bool fix(const jaus_id& id, endpoint_key endpoint) noexcept;
+    /// Tells where a component is said to be, until a packet of it comes from elsewhere; false if no place is free.
+    JAUSCAT_CONSTEXPR bool learn(const jaus_id& id, endpoint_key endpoint, time_point now) noexcept;
     /// A connection has ended: its components are not known any more.
     JAUSCAT_CONSTEXPR void forget(endpoint_key endpoint) noexcept;
 

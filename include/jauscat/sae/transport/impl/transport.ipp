@@ -147,6 +147,11 @@ JAUSCAT_CONSTEXPR bool transport::fix(const jaus_id& id, endpoint_key endpoint) 
     return peers_.fix(id, endpoint);
 }
 
+JAUSCAT_CONSTEXPR bool transport::learn(const jaus_id& id, endpoint_key endpoint, time_point now) noexcept {
+    const auto what = peers_.on_packet(id, endpoint, now);
+    return what != learnt::no_capacity && what != learnt::wrong_endpoint;
+}
+
 JAUSCAT_CONSTEXPR void transport::forget(endpoint_key endpoint) noexcept { peers_.forget(endpoint); }
 
 JAUSCAT_CONSTEXPR std::optional<outgoing_datagram> transport::next_datagram(time_point now) noexcept {
