@@ -181,7 +181,8 @@ TEST_CASE("a message is processed from the addresses and media of its system alo
     CHECK(robot.log[3].ends_with(" is refused: rate-limited: the peer sends too much"));
 
     // A system without <jtcp> has no connection.
-    tcp::socket refused{context, tcp::endpoint{host("127.0.0.3"), 0}}, accepted{context, {host("127.0.0.4"), 0}};
+    tcp::socket refused{context, tcp::endpoint{host("127.0.0.3"), 0}},
+        accepted{context, tcp::endpoint{host("127.0.0.4"), 0}};
     refused.connect({host("127.0.0.2"), ports[2]});
     REQUIRE(support::until(context, [&] { return robot.node.counts().jtcp.unknown_peer == 1; }));
     CHECK(robot.log.back().find("is refused: its host is not accepted") != std::string::npos);
@@ -221,7 +222,7 @@ TEST_CASE("strangers are found by the group, and a node receives it at an addres
     REQUIRE(robot.node.peers().find(by_udp) != nullptr);
     CHECK(robot.node.place_of(robot.node.peers().find(by_udp)->endpoint) ==
           "UDP 127.0.0.1:" + std::to_string(ports[2]));
-    REQUIRE(support::until(context, [&] { return robot.node.counts().transport.own == 1; })); // the group's loopback
+    REQUIRE(support::until(context, [&] { return robot.node.counts().transport.own != 0; })); // the group's loopback
     CHECK(robot.log.empty());
     CHECK(ocu.node.counts().judp.received >= 1);
 }
