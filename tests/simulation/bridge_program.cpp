@@ -27,6 +27,32 @@ const char* text_of(bridging::refusal why) {
     return "of an unknown cause";
 }
 
+const char* text_of(bridging::stop_cause why) {
+    using enum bridging::stop_cause;
+    switch (why) {
+    case state: return "the component has left Ready";
+    case controller_lost: return "its controller is lost";
+    case control_taken: return "it has got another controller, and a command of the one before waits";
+    case sender_lost: return "the sender of its command is lost";
+    case slave_absent: return "its slave is lost";
+    case slave_returned: return "its slave is there";
+    case not_accepted: return "its slave has not executed a command in time";
+    case drive_fault: return "its drive has a fault";
+    case program_ends: return "the program ends";
+    }
+    return "of an unknown cause";
+}
+const char* text_of(bridging::loss why) {
+    using enum bridging::loss;
+    switch (why) {
+    case no_answer: return "it does not answer";
+    case no_station: return "nobody answers at its station address";
+    case left_state: return "it has left its state";
+    case no_process_data: return "it takes no part in the process data";
+    }
+    return "of an unknown cause";
+}
+
 jaus::address unit_id(const place& at) {
     return {.instance = 1, .component = 33, .node = at.jausip.node, .subsystem = at.jausip.subsystem};
 }
@@ -102,9 +128,41 @@ struct bridge_program::life_data {
     void refused(const bridging::component& who, const jaus::header& message, const bridging::refusal_reason& why) {
         mine.model_.drops(account(who), message, text_of(why.why));
     }
+    void stop_required(const bridging::component& who, bridging::stop_order what, bridging::stop_cause why) {
+        tell({.what = deed::owes_stop,
+              .who = number(who),
+              .number = static_cast<std::uint16_t>(what),
+              .why = text_of(why)});
+    }
+    void stop_refused(const bridging::component& who, bridging::stop_order what, const bridging::refusal_reason&,
+                      unsigned attempts) {
+        tell({.what = deed::stop_refused,
+              .who = number(who),
+              .number = static_cast<std::uint16_t>(what),
+              .value = attempts});
+    }
+    void settled(const bridging::component& who) { tell({.what = deed::settled, .who = number(who)}); }
+    void slave_up(const bridging::slave_front& slave, const jauscat::ethercat::slave_record&, bool ready) {
+        if (ready) tell({.what = deed::uses_slave, .who = mine.number(), .whom = number(slave)});
+    }
+    void slave_lost(const bridging::slave_front& slave, bridging::loss what, const jauscat::ethercat::master_error&) {
+        tell({.what = deed::loses_slave, .who = mine.number(), .whom = number(slave), .why = text_of(what)});
+    }
+    void tell(const happening& one) const { mine.world_.tell(one); }
+    [[nodiscard]] std::uint8_t number(const bridging::component& who) const {
+        return mine.model_.actuator(account(who)).number;
+    }
+    [[nodiscard]] std::uint8_t number(const bridging::slave_front& slave) const {
+        return mine.wire_[slave.options().position].number;
+    }
     [[nodiscard]] bridging::observer observer() {
-        return {.changed_state = jaus::bound<&life_data::changed_state>(*this),
+        return {.slave_up = jaus::bound<&life_data::slave_up>(*this),
+                .slave_lost = jaus::bound<&life_data::slave_lost>(*this),
+                .changed_state = jaus::bound<&life_data::changed_state>(*this),
                 .changed_controller = jaus::bound<&life_data::changed_controller>(*this),
+                .stop_required = jaus::bound<&life_data::stop_required>(*this),
+                .stop_refused = jaus::bound<&life_data::stop_refused>(*this),
+                .settled = jaus::bound<&life_data::settled>(*this),
                 .refused = jaus::bound<&life_data::refused>(*this)};
     }
     [[nodiscard]] std::uint8_t account(const bridging::component& who) const {
@@ -177,7 +235,7 @@ void bridge_program::boot() {
         };
         one.watched.seen_out = [this, i](bytes message) { model_.answers(accounts_[i], message); };
         one.watched.seen_lost = [this, i](const jaus::address& who) { model_.hears_lost(accounts_[i], who); };
-        one.watched.seen_done = [this, i] { model_.handled(accounts_[i]); };
+        one.watched.seen_done = [this, i](jaus::component_outcome what) { model_.handled(accounts_[i], what); };
         model_.starts(accounts_[i]);
         for (auto& front : one.fronts) static_cast<void>(data_->bus->add(front));
         one.stuck_since = world_.now();

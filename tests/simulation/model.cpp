@@ -239,7 +239,8 @@ void model::arrives(std::uint8_t which, std::uint32_t message, const jaus::heade
                  .whom = sent != nullptr ? senders_[sent->sender].program->number() : std::uint8_t{},
                  .code = head.command_code,
                  .number = head.sequence_number,
-                 .message = message});
+                 .message = message,
+                 .value = sent != nullptr ? sent->command : 0});
 }
 
 // Keeps the last 512, and each earlier one without an acknowledgement: a component acknowledges a stop order when its
@@ -411,10 +412,11 @@ bool model::is_like_one_before(const sent_message& sent) const {
            });
 }
 
-void model::handled(std::uint8_t which) {
+void model::handled(std::uint8_t which, jaus::component_outcome what) {
     auto& a = actuators_[which];
     auto* sent = find(std::exchange(a.current, 0));
     if (sent == nullptr) return;
+    tell_choice(a, *sent, what);
     look(a);
     if (!a.refused && state_is_right(a, sent->code)) sent->state_was_right = true;
     if (!moves(sent->code) && !a.was_repeat && !a.refused && has_effect(a, *sent)) sent->done = true;
@@ -448,23 +450,48 @@ void model::handled(std::uint8_t which) {
         a.controller.reset();
 }
 
+// What the component has chosen to do with a message.
+void model::tell_choice(const actuator_account& a, const sent_message& sent, jaus::component_outcome what) {
+    using enum jaus::component_outcome;
+    switch (what) {
+    case deferred:
+    case malformed:
+    case not_controller:
+    case not_ready:
+    case repeated:
+    case pending:
+    case no_capacity:
+    case experimental:
+        return world_.tell({.what = what == deferred ? deed::queues : deed::drops,
+                            .who = a.number,
+                            .whom = senders_[sent.sender].program->number(),
+                            .code = sent.code,
+                            .number = sent.sequence_number,
+                            .message = sent.number,
+                            .value = what == deferred ? 0 : sent.command,
+                            .why = jaus::describe(what).data()});
+    default: return; // executed; or refused, by what has told it
+    }
+}
+
 void model::drops(std::uint8_t which, const jaus::header& head, const char* why) {
     const auto from = account_of(head.source);
     if (!from) return;
     const auto& account = senders_[*from];
-    std::uint32_t message = 0;
-    for (std::size_t i = 0; message == 0 && i != std::min<std::size_t>(account.count, account.last.size()); ++i) {
+    const sent_message* message = nullptr;
+    for (std::size_t i = 0; message == nullptr && i != std::min<std::size_t>(account.count, account.last.size()); ++i) {
         const auto* known = find(account.last[(account.count - 1 - i) % account.last.size()]);
         if (known != nullptr && known->code == head.command_code && known->sequence_number == head.sequence_number &&
             known->destination == actuators_[which].id)
-            message = known->number;
+            message = known;
     }
     world_.tell({.what = deed::drops,
                  .who = actuators_[which].number,
                  .whom = account.program->number(),
                  .code = head.command_code,
                  .number = head.sequence_number,
-                 .message = message,
+                 .message = message != nullptr ? message->number : 0,
+                 .value = message != nullptr ? message->command : 0,
                  .why = why});
 }
 

@@ -8,6 +8,7 @@
 #include "simulation/ring.hpp"
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/jaus/component/component_options.hpp>
+#include <jauscat/jaus/component/component_outcome.hpp>
 
 #include <array>
 #include <map>
@@ -190,8 +191,8 @@ class model {
     void starts(std::uint8_t which);
     void arrives(std::uint8_t which, std::uint32_t message, const jaus::header& head);
     void answers(std::uint8_t which, bytes message);
-    void handled(std::uint8_t which);
-    /// A command that waited is not executed; `why`: a literal.
+    void handled(std::uint8_t which, jaus::component_outcome what = jaus::component_outcome::handled);
+    /// A command is not executed; `why`: a literal.
     void drops(std::uint8_t which, const jaus::header& head, const char* why);
     /// What its motors do: the application got a command, or has brought them to rest.
     void executes(std::uint8_t which, command_number command);
@@ -218,6 +219,7 @@ class model {
     [[nodiscard]] std::optional<std::uint8_t> account_of(const jaus::address& id) const noexcept;
     [[nodiscard]] std::optional<time> unreachable_since(std::uint8_t sender, const actuator_account& to) const;
     void note_arrival(actuator_account& a, std::uint32_t message);
+    void tell_choice(const actuator_account& a, const sent_message& sent, jaus::component_outcome what);
     void acknowledged(actuator_account& a, std::uint32_t number);
     void later_acknowledged(actuator_account& a, const jaus::header& head);
     [[nodiscard]] bool has_effect(const actuator_account& a, const sent_message& sent) const;

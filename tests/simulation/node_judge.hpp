@@ -30,6 +30,8 @@ class node_judge {
     node_judge(world& w, const network& n) : world_{w}, network_{n} {}
     /// The next node; its number is its port.
     void add(const process& program) { nodes_.push_back({.program = &program}); }
+    /// Its number in the story.
+    [[nodiscard]] std::uint8_t number_of(std::size_t node) const { return nodes_[node].program->number(); }
     /// The ports that messages pass between two nodes, both included. In the other direction they pass the same.
     void connect(std::vector<std::uint8_t> path);
 

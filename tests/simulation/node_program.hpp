@@ -21,7 +21,7 @@ template <class Component, class Application> class watched_component {
     bool mute{};
     std::function<void(const jaus::header&)> seen_in{};
     std::function<void(bytes)> seen_out{};
-    std::function<void()> seen_done{};
+    std::function<void(jaus::component_outcome)> seen_done{};
     std::function<void(const jaus::address&)> seen_lost{};
 
     [[nodiscard]] const jaus::address& self() const noexcept { return it_.self(); }
@@ -34,7 +34,7 @@ template <class Component, class Application> class watched_component {
             const auto mine = application_(h, b);
             return mine == jaus::message_outcome::unhandled ? rest(h, b) : mine;
         });
-        if (seen_done) seen_done();
+        if (seen_done) seen_done(what);
         return what;
     }
     void on_time(jauscat::time_point now, jaus::message_sink out) {

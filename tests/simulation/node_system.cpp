@@ -98,19 +98,30 @@ class subscriber {
         double rate{};
         std::optional<std::size_t> place{};
     };
-    subscriber(std::size_t mine, node_judge& judge, std::span<wish> wishes)
-        : mine_{mine}, judge_{judge}, wishes_{wishes}, connections_{component_of(mine)}, events_{component_of(mine)} {}
+    /// `tell` gets what it does with its connections and reports; the other node is a number of node_ids there.
+    subscriber(std::size_t mine, node_judge& judge, std::span<wish> wishes, std::function<void(happening)> tell)
+        : mine_{mine},
+          judge_{judge},
+          wishes_{wishes},
+          tell_{std::move(tell)},
+          connections_{component_of(mine), {}, jaus::bound<&subscriber::connects>(*this)},
+          events_{component_of(mine)} {}
+    subscriber(const subscriber&) = delete;
+    subscriber& operator=(const subscriber&) = delete;
+    ~subscriber() = default;
 
     jaus::message_outcome on_message(const jaus::header& head, bytes body, jauscat::time_point now,
                                      jaus::message_sink out) {
         const auto of_connection = connections_.on_message(head, body, now, out);
-        if (of_connection.what == jaus::consumer_notice::report) tell(report_way::connection, body);
+        if (of_connection.what == jaus::consumer_notice::report) gets(report_way::connection, body);
+        if (of_connection.what == jaus::consumer_notice::old_report) ignores(head.source, head.sequence_number);
         if (of_connection.what != jaus::consumer_notice::unhandled) return jaus::message_outcome::handled;
         const auto of_event = events_.on_message(head, body, now, out);
         if (of_event.what == jaus::event_notice::event) {
             const bool is_periodic = events_.requested()[of_event.place].type == jaus::event_type::periodic;
-            tell(is_periodic ? report_way::periodic_event : report_way::change_event, of_event.report);
+            gets(is_periodic ? report_way::periodic_event : report_way::change_event, of_event.report);
         }
+        if (of_event.what == jaus::event_notice::repeated) ignores(head.source, read_number(body));
         return of_event.what == jaus::event_notice::unhandled ? jaus::message_outcome::unhandled
                                                               : jaus::message_outcome::handled;
     }
@@ -148,12 +159,29 @@ class subscriber {
     }
 
   private:
-    void tell(report_way way, bytes body) {
+    void connects(const jaus::consumed_connection& one) {
+        tell_of(one.provider, {.what = deed::connects, .value = static_cast<std::uint32_t>(one.state)});
+    }
+    void ignores(const jaus::address& provider, std::uint16_t number) {
+        tell_of(provider, {.what = deed::ignores_report, .number = number});
+    }
+    void tell_of(const jaus::address& provider, happening one) {
+        const auto node = node_of(provider);
+        if (!node) return;
+        one.whom = static_cast<std::uint8_t>(*node);
+        tell_(one);
+    }
+    [[nodiscard]] static std::uint16_t read_number(bytes body) {
+        jaus::event one{};
+        return wire::decode(one, body) ? one.event_sequence_number : std::uint16_t{};
+    }
+    void gets(report_way way, bytes body) {
         if (const auto value = read_as<reported_value>(body)) judge_.gets_report(mine_, way, *value);
     }
     std::size_t mine_;
     node_judge& judge_;
     std::span<wish> wishes_;
+    std::function<void(happening)> tell_;
     jaus::service_consumer<4> connections_;
     jaus::event_consumer<4> events_;
 };
@@ -197,6 +225,8 @@ class peer_program final : public process {
         options.on_message = [this](const jaus::address& who, const jaus::header& head, bytes body, auto what) {
             if (who == component_of(mine_)) heard(head, body, what);
         };
+        options.appeared = [this](const jaus::address& who) { tell_of(deed::hears_of, who); };
+        options.disappeared = [this](const jaus::address& who) { tell_of(deed::gives_up, who); };
         node_.emplace(
             links_.configuration(mine_), std::move(options),
             [this](bytes message, const net::node_machine::endpoint& to, jaus::framing) {
@@ -234,7 +264,7 @@ class peer_program final : public process {
         explicit unit(peer_program& mine)
             : provided{component_of(mine.mine_), reports, mine.filler_, report},
               sent_events{component_of(mine.mine_), event_reports, mine.event_filler_, event_memory},
-              wanted{mine.mine_, mine.judge_, mine.wishes_},
+              wanted{mine.mine_, mine.judge_, mine.wishes_, [&mine](happening one) { mine.tell(one); }},
               core{component_of(mine.mine_),
                    memory,
                    {},
@@ -255,6 +285,18 @@ class peer_program final : public process {
         jaus::component<jaus::service_connections<8>, jaus::events<16>, subscriber> core;
     };
 
+    // As the unit's consumer tells it: the other node is a number of node_ids, and so is the port.
+    void tell(happening one) {
+        one.who = number();
+        one.whom = judge_.number_of(one.whom);
+        world_.tell(one);
+    }
+    void tell_of(deed what, const jaus::address& who) {
+        world_.tell({.what = what,
+                     .who = number(),
+                     .value = std::uint32_t{who.subsystem} << 24U | std::uint32_t{who.node} << 16U |
+                              std::uint32_t{who.component} << 8U | who.instance});
+    }
     [[nodiscard]] std::optional<std::size_t> write_report(std::span<std::byte> body) const {
         const auto made = bytes_of(value());
         if (body.size() < made.size()) return std::nullopt;

@@ -92,7 +92,7 @@ void robot::add_components(net::node_machine& node) {
         };
         one.watched->seen_out = [this, &one](bytes message) { model_.answers(one.account, message); };
         one.watched->seen_lost = [this, &one](const jaus::address& who) { model_.hears_lost(one.account, who); };
-        one.watched->seen_done = [this, &one] { model_.handled(one.account); };
+        one.watched->seen_done = [this, &one](jaus::component_outcome what) { model_.handled(one.account, what); };
         node.add(*one.watched, nothing);
         one.unit->core.change(jaus::state_event::initialized);
     }

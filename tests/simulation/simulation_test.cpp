@@ -127,6 +127,34 @@ TEST_CASE("growing memory violates the contract, reused memory does not") {
     }
 }
 
+TEST_CASE("a story says what a queue kept, what a component chose, and which stops it requires") {
+    const std::vector<std::string> names{"network", "arm", "operator", "slave"};
+    const auto text = [&](happening one) { return text_of(one, names); };
+    const happening effort{.who = 1, .whom = 2, .code = 0x0405, .number = 8, .message = 3};
+    const auto of_effort = [&](deed what, command_number command, const char* why) {
+        auto made = effort;
+        made.what = what;
+        made.value = command;
+        made.why = why;
+        return made;
+    };
+    const std::string message = "Set Wrench Effort 0405h, number 8 (message 3)";
+    CHECK(text(of_effort(deed::gets, 17, "")) == "arm gets from operator: " + message + ", command 17");
+    CHECK(text(of_effort(deed::queues, 0, "")) == "arm keeps for later: " + message);
+    CHECK(text(of_effort(deed::drops, 17, "a newer command has replaced it")) ==
+          "arm does not execute of operator: " + message + ", command 17: a newer command has replaced it");
+    CHECK(text({.what = deed::owes_stop, .who = 1, .number = 1, .why = "its slave is lost"}) ==
+          "arm requires Set Emergency, because its slave is lost");
+    CHECK(text({.what = deed::stop_refused, .who = 1, .value = 3}) == "arm: its slave refuses rest, attempt 3");
+    CHECK(text({.what = deed::loses_slave, .who = 1, .whom = 3, .why = "it does not answer"}) ==
+          "arm counts slave as lost, because it does not answer");
+    CHECK(text({.what = deed::hears_of, .who = 1, .value = 0x02010000}) == "arm is told that 2.1.0.0 is there");
+    CHECK(text({.what = deed::connects, .who = 1, .whom = 2, .value = 3}) ==
+          "arm: its connection to operator is stale: requested again");
+    CHECK(text({.what = deed::ignores_report, .who = 1, .whom = 2, .number = 7}) ==
+          "arm ignores report 7 of operator, because it has a newer one");
+}
+
 TEST_CASE("a violation is reported with the expected and the found value, and the lines that lead to it") {
     run_result result{
         .broken =
@@ -150,7 +178,7 @@ TEST_CASE("a violation is reported with the expected and the found value, and th
   expected  rest
   found     motion
       1.0000 s  operator sends to robot: Standby 0003h, number 8 (message 3)
-      1.0000 s  robot does not execute of operator: Standby 0003h, number 8 (message 3), because a newer command of the same sender has replaced it
+      1.0000 s  robot does not execute of operator: Standby 0003h, number 8 (message 3): a newer command of the same sender has replaced it
       2.0000 s  robot acknowledges to operator: Standby 0003h, number 8 (message 3)
 )");
 }

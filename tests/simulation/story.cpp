@@ -17,6 +17,19 @@ std::string control_text(std::uint32_t state) {
                                "is refused control",    "has lost control", "gets no answer about control"};
     return state < names.size() ? names[state] : "control state " + std::to_string(state);
 }
+std::string stop_text(std::uint16_t order) {
+    constexpr std::array names{"rest", "Set Emergency", "Clear Emergency"};
+    return order < names.size() ? names[order] : "stop " + std::to_string(order);
+}
+std::string connection_text(std::uint32_t state) {
+    constexpr std::array names{"is free",      "is requested", "is active",     "is stale: requested again",
+                               "is suspended", "is refused",   "is unanswered", "ends"};
+    return state < names.size() ? names[state] : "is in state " + std::to_string(state);
+}
+std::string address_text(std::uint32_t address) {
+    return std::to_string(address >> 24U) + '.' + std::to_string(address >> 16U & 0xFFU) + '.' +
+           std::to_string(address >> 8U & 0xFFU) + '.' + std::to_string(address & 0xFFU);
+}
 std::string message_text(const happening& one) {
     if (one.code == 0) return "a message";
     std::array<char, 64> numbers{};
@@ -31,6 +44,7 @@ std::string message_text(const happening& one) {
 std::string text_of(const happening& one, const std::vector<std::string>& names) {
     const auto name = [&](std::uint8_t who) { return who < names.size() ? names[who] : std::string{"nobody"}; };
     const auto message = [&] { return message_text(one); };
+    const auto command = [&] { return one.value == 0 ? std::string{} : ", command " + std::to_string(one.value); };
     const auto ms = std::to_string(one.value) + " ms";
     switch (one.what) {
     case deed::starts: return name(one.who) + " starts, life " + std::to_string(one.number);
@@ -40,7 +54,8 @@ std::string text_of(const happening& one, const std::vector<std::string>& names)
     case deed::goes_on: return name(one.who) + " goes on";
     case deed::clock_leaps: return name(one.who) + ": its clock leaps by " + ms;
     case deed::sends: return name(one.who) + " sends to " + name(one.whom) + ": " + message();
-    case deed::gets: return name(one.who) + " gets from " + name(one.whom) + ": " + message();
+    case deed::gets: return name(one.who) + " gets from " + name(one.whom) + ": " + message() + command();
+    case deed::queues: return name(one.who) + " keeps for later: " + message();
     case deed::loses: return "the network loses, " + name(one.who) + " to " + name(one.whom) + ": " + message();
     case deed::doubles: return "the network doubles, " + name(one.who) + " to " + name(one.whom) + ": " + message();
     case deed::delays:
@@ -50,7 +65,7 @@ std::string text_of(const happening& one, const std::vector<std::string>& names)
     case deed::acknowledges: return name(one.who) + " acknowledges to " + name(one.whom) + ": " + message();
     case deed::refuses: return name(one.who) + " refuses (NAK) to " + name(one.whom) + ": " + message();
     case deed::drops:
-        return name(one.who) + " does not execute of " + name(one.whom) + ": " + message() + ", because " + one.why;
+        return name(one.who) + " does not execute of " + name(one.whom) + ": " + message() + command() + ": " + one.why;
     case deed::hears_acknowledged: return name(one.who) + " learns that it was acknowledged: " + message();
     case deed::hears_refused: return name(one.who) + " learns that it was refused: " + message();
     case deed::hears_nothing: return name(one.who) + " gives up, no acknowledgement: " + message();
@@ -66,10 +81,20 @@ std::string text_of(const happening& one, const std::vector<std::string>& names)
     case deed::control: return name(one.who) + " " + control_text(one.value);
     case deed::delivers_large: return name(one.who) + " gets the whole large data set " + std::to_string(one.value);
     case deed::sends_large: return name(one.who) + " sends the large data set " + std::to_string(one.value);
-    case deed::gives_up:
-        return name(one.who) + " is told that " + std::to_string(one.value >> 24U) + '.' +
-               std::to_string(one.value >> 16U & 0xFFU) + '.' + std::to_string(one.value >> 8U & 0xFFU) + '.' +
-               std::to_string(one.value & 0xFFU) + " is lost";
+    case deed::gives_up: return name(one.who) + " is told that " + address_text(one.value) + " is lost";
+    case deed::hears_of: return name(one.who) + " is told that " + address_text(one.value) + " is there";
+    case deed::owes_stop: return name(one.who) + " requires " + stop_text(one.number) + ", because " + one.why;
+    case deed::stop_refused:
+        return name(one.who) + ": its slave refuses " + stop_text(one.number) + ", attempt " +
+               std::to_string(one.value);
+    case deed::settled: return name(one.who) + ": its slaves have confirmed all stop orders";
+    case deed::uses_slave: return name(one.who) + " uses " + name(one.whom);
+    case deed::loses_slave: return name(one.who) + " counts " + name(one.whom) + " as lost, because " + one.why;
+    case deed::connects:
+        return name(one.who) + ": its connection to " + name(one.whom) + ' ' + connection_text(one.value);
+    case deed::ignores_report:
+        return name(one.who) + " ignores report " + std::to_string(one.number) + " of " + name(one.whom) +
+               ", because it has a newer one";
     case deed::is_ended: return name(one.who) + " is told to end (SIGTERM)";
     case deed::person: return "a person ends the emergency at " + name(one.who);
     case deed::ring: return ring_text(one, names);

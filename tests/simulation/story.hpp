@@ -18,7 +18,7 @@ enum class deed : std::uint8_t {
     goes_on,            //
     clock_leaps,        ///< value: milliseconds
     sends,              ///< code, sequence number, message
-    gets,               ///< code, sequence number, message
+    gets,               ///< code, sequence number, message, value: the motion command in it
     loses,              ///< the network; code, sequence number, message
     doubles,            ///< the network
     delays,             ///< the network; value: milliseconds
@@ -26,7 +26,8 @@ enum class deed : std::uint8_t {
     joins,              //
     acknowledges,       ///< code, sequence number, message
     refuses,            ///< with NAK
-    drops,              ///< does not execute what waited; code, sequence number, message, why
+    queues,             ///< keeps it, to execute it later; code, sequence number, message
+    drops,              ///< does not execute it; code, sequence number, message, value: the motion command in it, why
     hears_acknowledged, ///< code, sequence number
     hears_refused,      //
     hears_nothing,      ///< gave up
@@ -37,7 +38,15 @@ enum class deed : std::uint8_t {
     control,            ///< of the asking side; value: the control_state
     delivers_large,     ///< value: its identity, number: kilobytes
     sends_large,        //
+    owes_stop,          ///< a component requires a stop of its slaves; number: stop_order, why
+    stop_refused,       ///< by its slave; number: stop_order, value: attempts
+    settled,            ///< its slaves have confirmed all stop orders
+    uses_slave,         ///< the bridge, `whom`
+    loses_slave,        ///< the bridge, `whom`, why
     gives_up,           ///< the node no longer hears somebody; value: the address
+    hears_of,           ///< the node hears somebody new; value: the address
+    connects,           ///< a consumer, to the reports of `whom`; value: consumed_state
+    ignores_report,     ///< a consumer, of `whom`; number: its sequence number
     is_ended,           ///< is told to end (SIGTERM)
     person,             ///< ends the emergency at the machine
     ring,               ///< something of EtherCAT; number: which (ring_deed), value
