@@ -24,6 +24,7 @@ struct options {
     bool summary_only{}; ///< print no messages
     palette colours{};
     std::vector<jaus::payload_type> payload_types{};
+    std::function<void(const record&)> receiver{}; ///< of each message; not set: it is printed
 };
 
 class dump {
