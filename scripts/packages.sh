@@ -41,6 +41,9 @@ need_to_test() { need_to_build && need iproute2 libxml2-utils pkgconf python3-cl
 need_for_docs() { need doxygen python3; }
 need_for_site() { need_for_docs && need graphviz plantuml mkdocs mkdocs-material python3-pygments; }
 need_for_firmware() { need gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm; }
+# emscripten has a compiler, libraries and tools of its own: some 0.9 GB with the browser of the tests.
+need_for_web() { need emscripten cmake ninja-build python3 nlohmann-json3-dev $(boost_packages); }
+need_to_test_web() { need_for_web && need chromium chromium-driver python3-selenium; }
 # clang with its sanitizers and libFuzzer, which Debian has in a package of its own.
 need_clang() { need clang && need "libclang-rt-$(clang++ -dumpversion | cut -d. -f1)-dev"; }
 
