@@ -1,0 +1,870 @@
+-- The dissector. It knows the forms of values and the transports, and no message.
+
+local jaus = Proto("jaus", "JAUS")
+
+jaus.prefs.mobility = Pref.enum("Mobility services", 1, "Version of the SAE mobility services",
+    {{1, "1.1", 1}, {2, "1.0", 2}}, false)
+jaus.prefs.table = Pref.enum("EtherCAT table", 1, "Mapping table of JAUS messages in EtherCAT objects",
+    {{1, "RA 3.3: seed or self-contained, by the data", 1}, {2, "RA 3.3: seed", 2}, {3, "RA 3.3: self-contained", 3},
+     {4, "SAE", 4}, {5, "none", 5}}, false)
+jaus.prefs.index_base = Pref.uint("EtherCAT index base", 6900, "Object index of component 0: 6900, 8192 (0x2000), 26880 (0x6900)")
+jaus.prefs.subsystem = Pref.uint("EtherCAT subsystem", 1, "JAUS subsystem of the slaves, which the seed table leaves out")
+jaus.prefs.fixed_length = Pref.bool("EtherCAT objects of fixed length", false,
+    "The data of an object begin with their length, in two bytes")
+
+local experts = {
+    truncated = ProtoExpert.new("jaus.truncated", "Truncated", expert.group.MALFORMED, expert.severity.ERROR),
+    trailing = ProtoExpert.new("jaus.trailing", "Trailing bytes", expert.group.MALFORMED, expert.severity.WARN),
+    out_of_range = ProtoExpert.new("jaus.out_of_range", "Out of range", expert.group.PROTOCOL, expert.severity.WARN),
+    unknown = ProtoExpert.new("jaus.unknown", "Unknown", expert.group.UNDECODED, expert.severity.WARN),
+    malformed = ProtoExpert.new("jaus.malformed", "Malformed", expert.group.MALFORMED, expert.severity.ERROR),
+    refused = ProtoExpert.new("jaus.refused", "Refused by a slave or its master", expert.group.RESPONSE_CODE,
+        expert.severity.NOTE),
+}
+jaus.experts = {experts.truncated, experts.trailing, experts.out_of_range, experts.unknown, experts.malformed,
+    experts.refused}
+
+-- Fields ------------------------------------------------------------------------------------------------------------
+
+local all_fields, field_by_key, type_of_abbreviation = {}, {}, {}
+
+-- Types that may share an abbreviation. RA and SAE have many messages with the same names.
+local common_type = {uint8 = "unsigned", uint16 = "unsigned", uint32 = "unsigned", uint64 = "unsigned64",
+    int8 = "signed", int16 = "signed", int32 = "signed", int64 = "signed64"}
+
+-- A field; the same one where all is the same. `kind` is a function of ProtoField.
+local function new_field(kind, abbreviation, title, ...)
+    local type = common_type[kind] or kind
+    local known = type_of_abbreviation[abbreviation]
+    if known and known ~= type then abbreviation = abbreviation .. "_" .. type end
+    type_of_abbreviation[abbreviation] = type
+    local key = table.concat({kind, abbreviation, title}, " ")
+    for i = 1, select("#", ...) do key = key .. " " .. tostring((select(i, ...))) end
+    local made = field_by_key[key]
+    if not made then
+        made = ProtoField[kind](abbreviation, title, ...)
+        field_by_key[key] = made
+        all_fields[#all_fields + 1] = made
+    end
+    return made
+end
+
+-- propulsive_linear_effort_x: Propulsive Linear Effort X
+local function title_of(name)
+    return (name:gsub("_", " "):gsub("%f[%w]%l", string.upper))
+end
+
+-- Compiled structures: the tables, with the fields of one message ------------------------------------------------------
+
+local compile_structure
+local structure_notations = {
+    address = function(v) return ("%d.%d.%d.%d"):format(v.subsystem, v.node, v.component, v.instance) end,
+    jaus_id = function(v) return ("%d.%d.%d"):format(v.subsystem, v.node, v.component) end,
+}
+
+-- A value of a form. `abbreviation` is that of its field.
+local function compile(form_number, abbreviation, title)
+    local form = forms[form_number]
+    local kind = form[1]
+    local node = {kind = kind, form = form, title = title, unit = form.unit and " " .. form.unit or ""}
+    if kind == "integer" then
+        node.size = form.bits / 8
+        if form.boolean then
+            node.field = new_field("bool", abbreviation, title)
+        else
+            node.field = new_field((form.signed and "int" or "uint") .. form.bits, abbreviation, title, base.DEC,
+                form.names and names[form.names])
+        end
+        if form.flags then
+            node.bits = {}
+            for bit, name in pairs(names[form.flags]) do
+                node.bits[#node.bits + 1] = new_field("bool", abbreviation .. "." .. name, title_of(name), form.bits, nil,
+                    2 ^ bit)
+            end
+        end
+    elseif kind == "real" then
+        node.size = form.bits / 8
+        node.field = new_field("double", abbreviation, title)
+    elseif kind == "scaled" then
+        node.size = form.bits / 8
+        node.field = new_field("double", abbreviation, title)
+        local steps = 2 ^ form.bits - (form.signed and 2 or 1)
+        node.scale = (form.max - form.min) / steps
+        node.bias = form.signed and (form.min + form.max) / 2 or form.min
+    elseif kind == "octets" then
+        node.field = new_field(form.text and "string" or "bytes", abbreviation, title)
+    elseif kind == "structure" then
+        node.notation = structure_notations[structures[form[2]][1]]
+        node.field = new_field(node.notation and "string" or "none", abbreviation, title)
+        node.structure = compile_structure(form[2], abbreviation)
+    elseif kind == "packed" then
+        node.size = form.bits / 8
+        node.field = new_field("uint" .. form.bits, abbreviation, title, base.DEC)
+        node.structure = compile_structure(form[2], abbreviation)
+    elseif kind == "message" then
+        node.field = new_field("bytes", abbreviation, title)
+        node.structure = form[2] and compile_structure(form[2], abbreviation)
+    elseif kind == "list" then
+        node.count = form.count
+        local field = form.field
+        if field then node.field = new_field("none", abbreviation, title) end
+        node.element = compile(form[2], field and abbreviation .. "." .. field or abbreviation,
+            field and title_of(field) or title)
+    elseif kind == "tree" then
+        node.element = compile(form[2], abbreviation, title)
+    elseif kind == "choice" then
+        node.cases = {}
+        for tag, case in pairs(form[2]) do
+            local is_structure = case ~= 0 and forms[case][1] == "structure"
+            node.cases[tag] = case == 0 and "none" or
+                compile(case, is_structure and abbreviation or abbreviation .. ".value", title)
+        end
+    elseif kind == "variant" then
+        node.size = form.bits / 8
+        node.field = new_field("none", abbreviation, title)
+        local titles = {}
+        node.alternatives = {}
+        for i, one in ipairs(form[2]) do
+            titles[i - 1] = one[1]
+            node.alternatives[i - 1] = one[2] and compile(one[2], abbreviation .. "." .. one[1], title_of(one[1])) or "none"
+        end
+        node.tag_field = new_field("uint" .. form.bits, abbreviation .. ".alternative", "Alternative", base.DEC, titles)
+    end
+    return node
+end
+
+-- Bits of a presence vector, by what they stand for.
+local function compile_presence(members, at, abbreviation, bits)
+    local made, known = {}, {}
+    for i = at + 1, #members do
+        local one = members[i]
+        if one.vector then break end
+        if one.bit and not one.counts and not known[one.bit] then
+            known[one.bit] = true
+            made[#made + 1] = new_field("bool", abbreviation .. "." .. one[1], title_of(one[1]), bits, nil, 2 ^ one.bit)
+        end
+    end
+    return made
+end
+
+function compile_structure(number, prefix)
+    local source = structures[number]
+    local made = {number = number, size = source.size, members = {}}
+    for i = 2, #source do
+        local member = source[i]
+        local abbreviation, title = prefix .. "." .. member[1], title_of(member[1])
+        local node
+        if member.first then
+            local form = forms[member[2]]
+            node = {kind = "bit_field", title = title, form = form, width = form.bits}
+            local is_plain = member.carrier <= 32
+            local mask = is_plain and (2 ^ form.bits - 1) * 2 ^ member.first or nil
+            if form.boolean and is_plain then
+                node.field = new_field("bool", abbreviation, title, member.carrier, nil, mask)
+            else
+                node.field = new_field("uint" .. member.carrier, abbreviation, title, base.DEC,
+                    form.names and names[form.names], mask)
+            end
+        elseif member.flag then
+            node = {kind = "flag"}
+        elseif member.vector then
+            local bits = forms[member[2]].bits
+            node = {kind = "presence_vector", title = title, size = bits / 8,
+                field = new_field("uint" .. bits, abbreviation, title, base.HEX),
+                bits = compile_presence(source, i, abbreviation, bits)}
+        else
+            node = compile(member[2], abbreviation, title)
+        end
+        node.name, node.member = member[1], member
+        made.members[#made.members + 1] = node
+    end
+    for i, node in ipairs(made.members) do
+        -- A count is absent together with its list.
+        node.gate = node.member.gate or (node.member.counts and made.members[i + 1].member.gate)
+    end
+    return made
+end
+
+-- Messages of one list by their codes. Those of the second list replace it.
+local function compile_messages(...)
+    local made = {}
+    for _, list in ipairs({...}) do
+        for code, message in pairs(list) do
+            made[code] = {name = message[1], title = message[2], query = message.query, report = message.report,
+                field = new_field("none", "jaus." .. message[1], message[2]),
+                structure = compile_structure(message[3], "jaus." .. message[1])}
+        end
+    end
+    return made
+end
+
+local function titles_of(messages)
+    local made = {}
+    for code, message in pairs(messages) do made[code] = message.title end
+    return made
+end
+
+local ra_header = compile_structure(header_structure, "jaus")
+local sae_header = compile_structure(transport_structure, "jaus")
+local ra = compile_messages(ra_messages)
+local sae = compile_messages(sae_messages)
+local sae_1_0 = compile_messages(sae_messages, sae_messages_1_0)
+
+local command_code_field = new_field("uint16", "jaus.command_code", "Command Code", base.HEX, titles_of(ra))
+for _, node in ipairs(ra_header.members) do
+    if node.name == "command_code" then node.field = command_code_field end
+end
+local message_id_field = new_field("uint16", "jaus.message_id", "Message ID", base.HEX, titles_of(sae))
+local sequence_number_field = new_field("uint16", "jaus.sequence_number", "Sequence Number", base.DEC)
+local framing_field = new_field("string", "jaus.framing", "Framing")
+local body_field = new_field("bytes", "jaus.body", "Body")
+local compression_number_field = new_field("uint8", "jaus.compression.number", "Compression Number", base.DEC)
+local compression_length_field = new_field("uint8", "jaus.compression.length", "Compression Length", base.DEC)
+local query_field = ProtoField.framenum("jaus.query_in", "Query in frame", base.NONE, frametype.REQUEST)
+local report_field = ProtoField.framenum("jaus.report_in", "Report in frame", base.NONE, frametype.RESPONSE)
+local time_field = ProtoField.relative_time("jaus.report_time", "Time from the query to its report")
+local packet_field = ProtoField.framenum("jaus.packet", "Packet in frame", base.NONE)
+local whole_field = ProtoField.framenum("jaus.reassembled_in", "Reassembled in frame", base.NONE)
+local object_field = new_field("string", "jaus.object", "EtherCAT object")
+for _, one in ipairs({query_field, report_field, time_field, packet_field, whole_field}) do
+    all_fields[#all_fields + 1] = one
+end
+jaus.fields = all_fields
+
+-- Values ------------------------------------------------------------------------------------------------------------
+
+-- What is thrown where the rest of a message cannot be decoded; the tree says why already.
+local stop = {}
+
+-- Takes the place of a tree.
+local nothing = {}
+setmetatable(nothing, {__index = function() return function() return nothing end end})
+
+local readers = {}
+local read_structure, dissect_inner
+
+local function fail(tree, expert_info, text)
+    tree:add_proto_expert_info(expert_info, text)
+    error(stop, 0)
+end
+
+-- The next `size` bytes.
+local function take(data, size, tree, title)
+    local left = data.limit - data.at
+    if size > left then
+        fail(tree, experts.truncated, ("Truncated: %s at byte %d needs %d bytes, %d left"):format(title,
+            data.at - data.begin, size, left))
+    end
+    local range = data.tvb(data.at, size)
+    data.at = data.at + size
+    return range
+end
+
+local function integer_of(range, signed)
+    if range:len() == 8 then return (signed and range:le_int64() or range:le_uint64()):tonumber() end
+    return signed and range:le_int() or range:le_uint()
+end
+
+local function has_bit(number, bit) return math.floor(number / 2 ^ bit) % 2 == 1 end
+
+-- A member of the structure `reference[1]` around; 0 is the innermost one. The name may be a path.
+local function look_up(scope, reference)
+    local number = reference[1]
+    while number ~= 0 and scope.number ~= number do scope = scope.outer end
+    local value = scope.values
+    for name in reference[2]:gmatch("[^.]+") do value = value[name] end
+    return value
+end
+
+function readers.integer(node, data, tree)
+    local range = take(data, node.size, tree, node.title)
+    local value = integer_of(range, node.form.signed)
+    local item = tree:add_le(node.field, range)
+    if node.unit ~= "" then item:append_text(node.unit) end
+    if node.bits then
+        for _, field in ipairs(node.bits) do item:add_le(field, range) end
+    elseif node.form.names and not names[node.form.names][value] then
+        item:add_proto_expert_info(experts.unknown, ("Unknown: %d has no meaning"):format(value))
+    end
+    return value
+end
+
+function readers.real(node, data, tree)
+    local range = take(data, node.size, tree, node.title)
+    tree:add(node.field, range, range:le_float()):append_text(node.unit)
+end
+
+function readers.scaled(node, data, tree)
+    local range = take(data, node.size, tree, node.title)
+    local raw = integer_of(range, node.form.signed)
+    local value = raw * node.scale + node.bias
+    local item = tree:add(node.field, range, value)
+    item:append_text(("%s (raw %.0f)"):format(node.unit, raw))
+    if node.form.signed and raw == -2 ^ (node.form.bits - 1) then
+        fail(item, experts.out_of_range, ("Out of range: the raw value %.0f is not legal"):format(raw))
+    end
+    return value
+end
+
+function readers.octets(node, data, tree, _, count)
+    local form = node.form
+    local size = form.rest and data.limit - data.at or form.size or count
+    if form.terminated then
+        size = 0
+        while data.at + size < data.limit and data.tvb(data.at + size, 1):uint() ~= 0 do size = size + 1 end
+        local range = take(data, size + 1, tree, node.title)
+        tree:add(node.field, range(0, size))
+        return
+    end
+    local range = take(data, size, tree, node.title)
+    if form.filled then
+        while size > 0 and range(size - 1, 1):uint() == 0 do size = size - 1 end
+        range = range(0, size)
+    end
+    tree:add(node.field, range)
+end
+
+function readers.structure(node, data, tree, scope)
+    local begin = data.at
+    local text
+    if node.notation then
+        local ahead = {tvb = data.tvb, begin = data.begin, at = begin, limit = data.limit}
+        local decoded, values = pcall(read_structure, node.structure, ahead, nothing, scope)
+        text = decoded and node.notation(values) or ""
+    end
+    local item = text and tree:add(node.field, data.tvb(begin, 0), text) or tree:add(node.field, data.tvb(begin, 0))
+    local values = read_structure(node.structure, data, item, scope)
+    item:set_len(data.at - begin)
+    return values
+end
+
+function readers.packed(node, data, tree, scope)
+    local range = take(data, node.size, tree, node.title)
+    local item = tree:add_le(node.field, range)
+    data.at = data.at - node.size
+    read_structure(node.structure, data, item, scope)
+    return integer_of(range)
+end
+
+function readers.message(node, data, tree, scope, count)
+    local begin = data.at
+    if node.structure then
+        read_structure(node.structure, data, nothing, scope)
+        count = data.at - begin
+        data.at = begin
+    end
+    local range = take(data, count, tree, node.title)
+    local item = tree:add(node.field, range)
+    if count > 0 then dissect_inner(data, begin, count, item) end
+end
+
+function readers.list(node, data, tree, scope, count)
+    for i = 1, node.count or count do
+        local begin = data.at
+        if node.field then
+            local item = tree:add(node.field, data.tvb(begin, 0))
+            item:append_text((" [%d]"):format(i))
+            readers[node.element.kind](node.element, data, item, scope)
+            item:set_len(data.at - begin)
+        else
+            readers[node.element.kind](node.element, data, tree, scope)
+        end
+    end
+end
+
+-- A node, then its children, inside it.
+local function read_node(node, data, tree, scope, level)
+    if level > node.form.depth then fail(tree, experts.malformed, "Malformed: more levels than a tree may have") end
+    local begin = data.at
+    local item = tree:add(node.element.field, data.tvb(begin, 0))
+    local values = read_structure(node.element.structure, data, item, scope)
+    for _ = 1, values[node.form.children] do read_node(node, data, item, scope, level + 1) end
+    item:set_len(data.at - begin)
+end
+function readers.tree(node, data, tree, scope) read_node(node, data, tree, scope, 1) end
+
+function readers.choice(node, data, tree, scope)
+    local tag = look_up(scope, node.member.tag)
+    local case = node.cases[tag]
+    if not case then fail(tree, experts.unknown, ("Unknown: %s has no form for %d"):format(node.title, tag)) end
+    if case ~= "none" then readers[case.kind](case, data, tree, scope) end
+end
+
+function readers.variant(node, data, tree, scope)
+    local begin = data.at
+    local range = take(data, node.size, tree, node.title)
+    local item = tree:add(node.field, range)
+    item:add_le(node.tag_field, range)
+    local tag = integer_of(range)
+    local held = node.alternatives[tag]
+    if not held then fail(item, experts.unknown, ("Unknown: %s has no alternative %d"):format(node.title, tag)) end
+    if held ~= "none" then readers[held.kind](held, data, item, scope) end
+    item:set_len(data.at - begin)
+end
+
+local function read_presence_vector(node, members, at, data, tree, scope)
+    local range = take(data, node.size, tree, node.title)
+    local vector = integer_of(range)
+    local item = tree:add_le(node.field, range)
+    for _, field in ipairs(node.bits) do item:add_le(field, range) end
+    if vector >= 2 ^ node.member.vector then
+        item:add_proto_expert_info(experts.unknown, "Unknown: presence bits that stand for no field")
+        if node.member.tolerant then data.drops_rest = true end
+    end
+    -- A field before a flag may be announced by it.
+    for i = at + 1, #members do
+        local member = members[i].member
+        if member.vector then break end
+        if member.flag then scope.values[member[1]] = has_bit(vector, member.bit) end
+    end
+    return vector
+end
+
+-- Reads a structure, and returns the values that others refer to.
+function read_structure(structure, data, tree, outer)
+    local scope = {number = structure.number, values = {}, outer = outer}
+    local vector, count, word, word_value, word_end
+    if structure.size then take(data, structure.size, tree, "Constant") end
+    for i, node in ipairs(structure.members) do
+        local member = node.member
+        local present = not member.bit or has_bit(vector, member.bit)
+        if node.gate and present then present = look_up(scope, node.gate) end
+        if not member.first then word = nil end
+        if member.first then
+            if not word or member.first < word_end then
+                word = take(data, member.carrier / 8, tree, node.title)
+                word_value = integer_of(word)
+            end
+            word_end = member.first + 1
+            local value = math.floor(word_value / 2 ^ member.first) % 2 ^ node.width
+            if member.carrier <= 32 then
+                tree:add_le(node.field, word)
+            else
+                tree:add(node.field, word, UInt64.new(value % 2 ^ 32, math.floor(value / 2 ^ 32)))
+            end
+            scope.values[node.name] = value
+        elseif member.vector then
+            vector = read_presence_vector(node, structure.members, i, data, tree, scope)
+        elseif present and not member.flag then
+            local counter = member.counter
+            if counter then count = math.max(look_up(scope, counter) - (member.excess or 0), 0) end
+            local value = readers[node.kind](node, data, tree, scope, count)
+            scope.values[node.name] = value
+            if member.counts then count = value end
+        end
+    end
+    return scope.values
+end
+
+-- Messages ------------------------------------------------------------------------------------------------------------
+
+-- Reads with `f`; false where the bytes do not decode.
+local function guarded(f, ...)
+    local done, problem = pcall(f, ...)
+    if not done and problem ~= stop then error(problem, 0) end
+    return done and problem or done
+end
+
+-- The fields of a body; `data` is behind the message ID.
+local function dissect_fields(message, data, tree)
+    local item = tree:add(message.field, data.tvb(data.at, data.limit - data.at))
+    guarded(function()
+        read_structure(message.structure, data, item)
+        if data.at == data.limit then return true end
+        local rest = data.tvb(data.at, data.limit - data.at)
+        if data.drops_rest then
+            item:add(body_field, rest):append_text(" (of presence bits that stand for no field)")
+        else
+            item:add(body_field, rest):add_proto_expert_info(experts.trailing,
+                ("Trailing: %d bytes behind the last field"):format(data.limit - data.at))
+        end
+        return true
+    end)
+end
+
+local function sae_list() return jaus.prefs.mobility == 2 and sae_1_0 or sae end
+
+local function dissect_ra_body(code, data, tree)
+    local message = ra[code]
+    if message then return dissect_fields(message, data, tree) end
+    local range = data.tvb(data.at, data.limit - data.at)
+    tree:add(body_field, range):add_proto_expert_info(experts.unknown,
+        ("Unknown: command code 0x%04X is not one of the standard's"):format(code))
+end
+
+-- A payload of SAE JAUS, from the message ID on. Returns the message.
+local function dissect_payload(data, tree)
+    return guarded(function()
+        local range = take(data, 2, tree, "Message ID")
+        local item = tree:add_le(message_id_field, range)
+        local message = sae_list()[range:le_uint()]
+        if message then
+            dissect_fields(message, data, tree)
+            return message
+        end
+        fail(item, experts.unknown, ("Unknown: message ID 0x%04X is in no known service"):format(range:le_uint()))
+    end)
+end
+
+-- A message in a field of another one: header and body of RA 3.3, a payload of SAE JAUS.
+function dissect_inner(data, begin, size, tree)
+    local inner = {tvb = data.tvb, begin = begin, at = begin, limit = begin + size, is_sae = data.is_sae}
+    if data.is_sae then return dissect_payload(inner, tree) end
+    guarded(function()
+        local head = read_structure(ra_header, inner, tree)
+        if inner.at < inner.limit then dissect_ra_body(head.command_code, inner, tree) end
+        return true
+    end)
+end
+
+-- Queries and their reports ------------------------------------------------------------------------------------------
+
+local open_queries, links = {}, {}
+
+local function matches(wanted, address)
+    local parts = address:gmatch("%d+")
+    for part in wanted:gmatch("%d+") do
+        local other = parts()
+        if part ~= other and part ~= "255" and part ~= "65535" then return false end
+    end
+    return true
+end
+
+-- Finds the query of a report once, in the first pass, and shows what was found.
+local function link_query(message, source, destination, number, pinfo, tree)
+    local id = table.concat({pinfo.number, message.name, source, destination, number}, " ")
+    if message.report and not links[id] then
+        links[id] = {}
+        local key = ("%d %s"):format(message.report, source)
+        open_queries[key] = open_queries[key] or {}
+        open_queries[key][destination] = {frame = pinfo.number, id = id, time = pinfo.rel_ts}
+    elseif message.query and not links[id] then
+        links[id] = {}
+        local asked = open_queries[("%d %s"):format(message.own_code, destination)] or {}
+        for wanted, query in pairs(asked) do
+            if matches(wanted, source) then
+                links[id] = {query = query.frame, time = pinfo.rel_ts - query.time}
+                links[query.id].report = links[query.id].report or pinfo.number
+                if wanted == source then asked[wanted] = nil end
+                break
+            end
+        end
+    end
+    local link = links[id]
+    if not link then return end
+    if link.report then tree:add(report_field, link.report):set_generated() end
+    if link.query then
+        tree:add(query_field, link.query):set_generated()
+        local seconds = math.floor(link.time)
+        tree:add(time_field, NSTime.new(seconds, math.floor((link.time - seconds) * 1e9))):set_generated()
+    end
+end
+for _, list in ipairs({ra, sae, sae_1_0}) do
+    for code, message in pairs(list) do message.own_code = code end
+end
+
+-- Large data sets and fragments ----------------------------------------------------------------------------------------
+
+-- Packets that wait for others; per packet that was seen, the frame that completes it or the whole.
+local open_sets, packet_results = {}, {}
+
+-- Shows where a packet's message is complete; calls `dissect(tvb, packet)` where that is here.
+-- `find_whole(key, packet)` returns the packets of a complete message, in order.
+local function reassemble(key, packet, pinfo, tree, find_whole, dissect)
+    local id = table.concat({pinfo.number, key, packet.number, packet.flag}, " ")
+    local result = packet_results[id]
+    if not result then
+        result = {}
+        packet_results[id] = result
+        packet.result, packet.frame, packet.time = result, pinfo.number, pinfo.rel_ts
+        packet.bytes = packet.range and packet.range:bytes() or ByteArray.new()
+        packet.range = nil
+        local parts = find_whole(key, packet)
+        if parts then
+            result.whole, result.first, result.frames = ByteArray.new(), parts[1], {}
+            for i, part in ipairs(parts) do
+                result.whole:append(part.bytes)
+                result.frames[i] = part.frame
+                part.result.frame = pinfo.number
+                part.bytes = nil
+            end
+        end
+    end
+    if result.frame then tree:add(whole_field, result.frame):set_generated() end
+    if result.whole then dissect(result.whole, result.first, result.frames) end
+end
+
+-- RA 3.3: packets count from 0 in each data set of a source and code. A set that is silent for longer is another one.
+local longest_gap = 0.125
+local function add_to_data_set(key, packet)
+    local set = open_sets[key]
+    local held = set and set[packet.number]
+    local differs = held and held.bytes:tohex() ~= packet.bytes:tohex()
+    local is_new = set and packet.number == 0 and not held and packet.time - set.time > longest_gap
+    if not set or differs or is_new then
+        set = {}
+        open_sets[key] = set
+        held = nil
+    end
+    set.time = packet.time
+    if held then return end
+    set[packet.number] = packet
+    if packet.is_last then set.last = packet.number end
+    if not set.last then return end
+    local parts = {}
+    for number = 0, set.last do
+        if not set[number] then return end
+        parts[#parts + 1] = set[number]
+    end
+    open_sets[key] = nil
+    return parts
+end
+
+-- SAE: packets of a message have consecutive sequence numbers. They repeat, so that old packets do not count.
+local fragment_timeout = 10
+local function add_fragment(key, packet)
+    local set = open_sets[key] or {}
+    open_sets[key] = set
+    set[packet.number] = packet
+    local function at(number)
+        local found = set[number % 65536]
+        return found and packet.time - found.time < fragment_timeout and found or nil
+    end
+    local first = packet.number
+    while at(first) and at(first).place ~= "first" do first = first - 1 end
+    local parts, number = {}, first
+    while at(number) do
+        parts[#parts + 1] = at(number)
+        if at(number).place == "last" then
+            for i = first, number do set[i % 65536] = nil end
+            return parts
+        end
+        number = number + 1
+    end
+end
+
+local function show_packets(tree, frames)
+    for _, frame in ipairs(frames) do tree:add(packet_field, frame):set_generated() end
+end
+
+-- Whole messages ------------------------------------------------------------------------------------------------------
+
+local function describe_in_columns(pinfo, title, source, destination)
+    pinfo.cols.protocol = "JAUS"
+    pinfo.cols.info:append((pinfo.private.jaus_described and "; " or "") ..
+        ("%s, %s -> %s"):format(title, source, destination))
+    pinfo.private.jaus_described = "yes"
+end
+
+-- Name and number of an enumerator or bit-field in a value of `header`.
+local ack, nak, requested = 3, 2, 1
+
+-- A message of RA 3.3, which `range` holds from its header on.
+local function dissect_ra_message(tvb, begin, size, pinfo, root, framing, whole)
+    local tree = root:add(jaus, tvb(begin, size))
+    local data = {tvb = tvb, begin = begin, at = begin, limit = begin + size}
+    if framing then tree:add(framing_field, framing):set_generated() end
+    local head = guarded(read_structure, ra_header, data, tree)
+    if not head then return end
+    local source = structure_notations.address(head.source)
+    local destination = structure_notations.address(head.destination)
+    local message = ra[head.command_code]
+    local title = message and message.title or ("command code 0x%04X"):format(head.command_code)
+    tree:append_text((": %s, %s -> %s"):format(title, source, destination))
+    local is_acknowledgement = (head.ack_nak == ack or head.ack_nak == nak)
+    local body_size = data.limit - data.at
+    if whole then show_packets(tree, whole.frames) end
+    if head.data_flag ~= 0 and not whole and not is_acknowledgement and head.data_size == body_size then
+        describe_in_columns(pinfo, title .. " (packet)", source, destination)
+        local range = body_size > 0 and tvb(data.at, body_size) or nil
+        if range then tree:add(body_field, range) end
+        local packet = {number = head.sequence_number, flag = head.data_flag, is_last = head.data_flag == 8,
+            range = range, header = tvb(begin, 16):bytes()}
+        return reassemble(("RA %d %s"):format(head.command_code, source), packet, pinfo, tree, add_to_data_set,
+            function(bytes, first, frames)
+                -- The size of a large body does not fit its header: 0 where it does not.
+                local header = ByteArray.new(first.header:tohex())
+                local held = bytes:len() <= 4080 and bytes:len() or 0
+                header:set_index(12, held % 256)
+                header:set_index(13, math.floor(held / 256))
+                header:append(bytes)
+                dissect_ra_message(header:tvb("Reassembled JAUS message"), 0, header:len(), pinfo, root, nil,
+                    {frames = frames})
+            end)
+    end
+    describe_in_columns(pinfo, is_acknowledgement and title .. " (acknowledgement)" or title, source, destination)
+    if not (is_acknowledgement and body_size == 0) then
+        dissect_ra_body(head.command_code, data, tree)
+        if message then link_query(message, source, destination, head.sequence_number, pinfo, tree) end
+    end
+    if not whole and head.data_size ~= body_size then
+        tree:add_proto_expert_info(experts.malformed,
+            ("Malformed: data_size is %d, %d bytes follow"):format(head.data_size, body_size))
+    end
+end
+
+local sae_head_size, sae_overhead = 12, 14
+
+-- A message of AS5669A, from its transport header on. Returns its size; nil where its end is not known.
+local function dissect_sae_message(tvb, begin, limit, pinfo, root, whole)
+    local left = limit - begin
+    local size = left >= 3 and tvb(begin + 1, 2):le_uint() or 0
+    local compression = math.floor(tvb(begin, 1):uint() / 64)
+    local is_whole = left >= sae_overhead and size >= sae_overhead + (compression ~= 0 and 2 or 0) and size <= left
+    local end_of_bytes = is_whole and begin + size or limit
+    local tree = root:add(jaus, tvb(begin, end_of_bytes - begin))
+    local own, at = tvb, begin
+    if compression ~= 0 and left >= 5 then
+        -- The two bytes behind the size are taken out, so that the header is the same.
+        local number, length = tvb(begin + 3, 1), tvb(begin + 4, 1)
+        tree:add(compression_number_field, number)
+        tree:add(compression_length_field, length)
+        local bytes = tvb(begin, 3):bytes()
+        if end_of_bytes > begin + 5 then bytes:append(tvb(begin + 5, end_of_bytes - begin - 5):bytes()) end
+        own, at = bytes:tvb("Without compression fields"), 0
+        end_of_bytes = bytes:len()
+    end
+    local data = {tvb = own, begin = at, at = at, limit = end_of_bytes, is_sae = true}
+    local head = guarded(read_structure, sae_header, data, tree)
+    if not head then return end
+    local source, destination = structure_notations.jaus_id(head.source), structure_notations.jaus_id(head.destination)
+    if not is_whole and not whole then
+        tree:add_proto_expert_info(experts.truncated, ("Truncated: the message states %d bytes, %d are there"):format(
+            size, left))
+        describe_in_columns(pinfo, "truncated message", source, destination)
+        return
+    end
+    data.limit = end_of_bytes - 2
+    local range = own(data.limit, 2)
+    local number = range:le_uint()
+    local payload_size = data.limit - data.at
+    if whole then show_packets(tree, whole.frames) end
+    local title
+    if head.message_type ~= 0 or compression >= 2 then
+        title = "message"
+        tree:add_proto_expert_info(experts.unknown, compression >= 2 and "Unknown: the header is compressed" or
+            ("Unknown: message type %d"):format(head.message_type))
+    elseif head.fragment_flag ~= 0 and payload_size > 0 then
+        title = "packet"
+        tree:add(body_field, own(data.at, payload_size))
+        local packet = {number = number, flag = head.fragment_flag, place = ({"first", "middle", "last"})[head.fragment_flag],
+            range = own(data.at, payload_size), header = own(at, sae_head_size):bytes()}
+        reassemble(("SAE %s %s"):format(source, destination), packet, pinfo, tree, add_fragment,
+            function(bytes, first, frames)
+                -- As a single packet: no fragment flag, no compression; 0 as size where it does not fit.
+                local message = ByteArray.new(first.header:tohex())
+                local held = bytes:len() + sae_overhead
+                if held > 65535 then held = 0 end
+                message:set_index(0, 0)
+                message:set_index(1, held % 256)
+                message:set_index(2, math.floor(held / 256))
+                message:set_index(3, message:get_index(3) % 64)
+                message:append(bytes)
+                message:append(ByteArray.new(("%02x%02x"):format(first.number % 256, math.floor(first.number / 256))))
+                dissect_sae_message(message:tvb("Reassembled JAUS message"), 0, message:len(), pinfo, root,
+                    {frames = frames})
+            end)
+    elseif payload_size == 0 and head.acknowledgement >= 2 then
+        title = "acknowledgement"
+    elseif payload_size == 0 then
+        title = "message without ID"
+        tree:add_proto_expert_info(experts.truncated, "Truncated: no message ID")
+    else
+        local message = dissect_payload(data, tree)
+        title = message and message.title or "unknown message"
+        if message then link_query(message, source, destination, number, pinfo, tree) end
+    end
+    tree:add_le(sequence_number_field, range)
+    tree:append_text((": %s, %s -> %s"):format(title, source, destination))
+    describe_in_columns(pinfo, title, source, destination)
+    return size
+end
+
+-- Datagrams and streams -------------------------------------------------------------------------------------------------
+
+local function names_one_ra_component(tvb, at)
+    for i = at, at + 3 do
+        local part = tvb(i, 1):uint()
+        if part == 0 or part == 255 then return false end
+    end
+    return true
+end
+
+-- Size of a message of AS5669-2007 without header compression, behind four bytes; nil where there is none.
+local function judp1_size(tvb, at)
+    if tvb:len() < at + 4 or tvb(at, 2):uint() ~= 0 then return end
+    local size = tvb(at + 2, 2):uint()
+    if size >= 16 and size <= tvb:len() - at - 4 then return size end
+end
+
+local function dissect_datagram(tvb, pinfo, root)
+    local length = tvb:len()
+    local begins_with = length >= 8 and tvb(0, 8):string() or ""
+    if begins_with == "JAUS01.0" then
+        if length == 8 then return 0 end
+        dissect_ra_message(tvb, 8, length - 8, pinfo, root, "JAUS01.0")
+        return length
+    end
+    if length > 5 and tvb(0, 1):uint() == 1 and judp1_size(tvb, 1) then
+        local at = 1
+        while at < length do
+            local size = judp1_size(tvb, at)
+            if not size then
+                root:add(jaus, tvb(at)):add_proto_expert_info(experts.malformed, "Malformed: bytes behind the last message")
+                break
+            end
+            dissect_ra_message(tvb, at + 4, size, pinfo, root, "AS5669-2007")
+            at = at + 4 + size
+        end
+        return length
+    end
+    if length >= 15 and tvb(0, 1):uint() == 2 and tvb(1, 1):uint() % 64 == 0 then
+        local source = tvb(9, 4)
+        local is_component = tvb(9, 1):uint() % 255 ~= 0 and tvb(10, 1):uint() % 255 ~= 0 and
+            tvb(11, 2):le_uint() % 65535 ~= 0
+        if is_component then
+            local at = 1
+            while at < length do
+                local size = dissect_sae_message(tvb, at, length, pinfo, root)
+                if not size then break end
+                at = at + size
+            end
+            return length
+        end
+    end
+    if length < 16 or tvb(1, 1):uint() > 2 or not names_one_ra_component(tvb, 8) then return 0 end
+    local size_matches = tvb(12, 2):le_uint() % 4096 == length - 16
+    if not size_matches and not ra[tvb(2, 2):le_uint()] then return 0 end
+    dissect_ra_message(tvb, 0, length, pinfo, root)
+    return length
+end
+
+-- The first byte of a stream is the version, 2; that of a message is its type, which is 0.
+local function before_message(tvb, at) return tvb(at, 1):uint() == 2 and 1 or 0 end
+
+local function stream_message_size(tvb, _, at)
+    local before = before_message(tvb, at)
+    return before + math.max(tvb(at + before + 1, 2):le_uint(), 4)
+end
+local function dissect_stream_message(tvb, pinfo, root)
+    dissect_sae_message(tvb, before_message(tvb, 0), tvb:len(), pinfo, root)
+    return tvb:len()
+end
+
+local tcp = 2
+function jaus.dissector(tvb, pinfo, root)
+    if pinfo.port_type == tcp then
+        if tvb:len() >= 1 and tvb(0, 1):uint() % 64 ~= 0 and tvb(0, 1):uint() ~= 2 then return 0 end
+        pinfo.cols.info = ""
+        dissect_tcp_pdus(tvb, root, 4, stream_message_size, dissect_stream_message)
+        return tvb:len()
+    end
+    local info = tostring(pinfo.cols.info)
+    pinfo.cols.info = ""
+    local size = dissect_datagram(tvb, pinfo, root)
+    if size == 0 then pinfo.cols.info = info end
+    return size
+end
+
+DissectorTable.get("udp.port"):add(3794, jaus)
+DissectorTable.get("tcp.port"):add(3794, jaus)
