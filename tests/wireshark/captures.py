@@ -1,9 +1,12 @@
 """Makes captures of the golden messages of both generations, over UDP and TCP."""
+import itertools
 import json
+import os
+import re
 import struct
 
 RA_DESTINATION = bytes([1, 33, 1, 2])
-SAE_SOURCE, SAE_DESTINATION = bytes([32, 1, 1, 0]), bytes([33, 1, 2, 0])
+SAE_SOURCE, SAE_DESTINATION = bytes([32, 1, 1, 0]), bytes([33, 2, 2, 0])
 PORT = 3794
 
 
@@ -22,6 +25,10 @@ def framed(message, how):
 
 def ra_source(number):
     return bytes([1, 32, 1 + number % 200, 1 + number // 200])
+
+
+def ra_message(code, body, destination=RA_DESTINATION, source=ra_source(0)):
+    return struct.pack("<HH", 0x0206, code) + destination + source + struct.pack("<HH", len(body), 0) + body
 
 
 def ra_datagrams(path):
@@ -97,10 +104,79 @@ def tcp(messages, segment=1000, port=PORT):
         yield packet(1 + at, 0x18, stream[at:at + segment])
 
 
-def write(path, packets):
-    """Packets of raw IP, a millisecond apart."""
+def ranks(dissector, name):
+    """Codes by subindex, from 1, as in the dissector; what uses them is compared with what does not."""
+    with open(dissector) as script:
+        line = next(line for line in script if line.startswith(f"local {name} = "))
+    return [int(code, 16) for code in re.findall("0x[0-9A-F]{4}", line)]
+
+
+def sae_segments(source):
+    """Codes of each segment, by subindex, from 1."""
+    with open(os.path.join(source, "schemas/jauscat/schema/translation/sae_ranks.hpp")) as header:
+        lists = re.findall(r"sae_\w+_ids\{([^}]*)\}", header.read())
+    return [[int(code, 16) for code in re.findall("0x[0-9A-F]{4}", one)] for one in lists]
+
+
+def ra_objects(path, codes, base, table, fixed_length=False):
+    """Index, subindex and data of messages to component 33."""
+    for datagram in ra_datagrams(path):
+        at = datagram.find(RA_DESTINATION) - 4
+        head, body = datagram[at:at + 16], datagram[at + 16:]
+        code = struct.unpack_from("<H", head, 2)[0]
+        if code not in codes or len(body) > 1500:
+            continue
+        data = head[0:2]
+        if table == "self-contained":
+            data += head[4:5] + head[7:8] + head[8:12] + head[12:14]
+        else:
+            data += head[8:12]
+        data += head[14:16] + body
+        yield base + 33, codes.index(code) + 1, struct.pack("<H", len(data)) + data + bytes(5) if fixed_length else data
+
+
+def sae_objects(messages, segments, base):
+    """The same of whole messages of SAE JAUS."""
+    for message in messages:
+        code = struct.unpack_from("<H", message, 12)[0]
+        segment, codes = next((n, codes) for n, codes in enumerate(segments) if code in codes)
+        data = message[3:4] + message[6:8] + message[8:12] + message[14:]
+        yield base + 256 * segment + 33, codes.index(code) + 1, data
+
+
+def ethercat_counter():
+    """Counters of mailbox messages, 1 to 7."""
+    return itertools.cycle(range(1, 8))
+
+
+def ethercat(objects, mailbox=128, counter=None):
+    """Downloads to the slave with station address 2, each frame on its way out and back."""
+    counters = counter or ethercat_counter()
+
+    def frames(sdo):
+        counter = next(counters)
+        message = struct.pack("<HHBBH", len(sdo) + 2, 0, 0, 3 | counter << 4, 2 << 12) + sdo
+        message += bytes(mailbox - len(message))
+        for working_counter in (0, 1):
+            datagram = struct.pack("<BBHHHH", 5, counter, 2, 0x1000, len(message), 0) + message
+            datagram += struct.pack("<H", working_counter)
+            yield bytes([255] * 6 + [2, 0, 0, 0, 0, 1]) + b"\x88\xa4" + struct.pack("<H", len(datagram) | 1 << 12) + datagram
+
+    for index, subindex, data in objects:
+        room = mailbox - 6 - 2 - 8
+        yield from frames(struct.pack("<BHBI", 0x21, index, subindex, len(data)) + data[:room])
+        toggle, left = 0, data[room:]
+        while left:
+            part, left = left[:room + 7], left[room + 7:]
+            unused = max(7 - len(part), 0)
+            yield from frames(bytes([toggle << 4 | unused << 1 | (not left)]) + part + bytes(unused))
+            toggle = 1 - toggle
+
+
+def write(path, packets, link_type=101):
+    """Packets of raw IP, or of Ethernet with `link_type` 1, a millisecond apart."""
     with open(path, "wb") as file:
-        file.write(struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 262144, 101))
+        file.write(struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 262144, link_type))
         for number, packet in enumerate(packets):
             file.write(struct.pack("<IIII", 1000000000 + number // 1000, number % 1000 * 1000, len(packet), len(packet)))
             file.write(packet)

@@ -127,6 +127,10 @@ def has_expert_info(element):
 
 def require_message(record, proto):
     """A message of jausdump is the one that tshark shows."""
+    if "refusal" in record:
+        if not has_expert_info(proto) or int(record["code"], 0) != int(named(proto, "jaus.command_code")[0].get("show"), 0):
+            raise Difference(f"refusal {record['refusal']}")
+        return
     header = dict(record["header"] or {})
     if record.get("data_set") == "reassembled":  # its size need not fit a header
         header.pop("data_size", None)
@@ -155,19 +159,33 @@ def require_message(record, proto):
             raise Difference(f"presence vector: tshark shows {shown:#x}, jausdump {wanted:#x}")
 
 
-def require_same(dissector, jausdump, capture, dump_arguments=(), tshark_arguments=()):
-    """Returns the number of messages, and of those that were decoded. Of two passes, both show the same."""
-    wanted = messages_of_jausdump(jausdump, capture, dump_arguments)
+def require_shown(wanted, dissector, capture, arguments, packets=None):
+    """Of two passes, both show the messages. `packets`: the frames that have them; else the records say it."""
     for passes in ((), ("-2",)):
-        shown = messages_of_tshark(dissector, capture, [*passes, *tshark_arguments])
+        shown = messages_of_tshark(dissector, capture, [*passes, *arguments])
         if len(wanted) != len(shown):
             raise Difference(f"{os.path.basename(capture)}: tshark shows {len(shown)} messages, jausdump {len(wanted)}")
-        for record, (number, proto) in zip(wanted, shown):
+        for at, (record, (number, proto)) in enumerate(zip(wanted, shown)):
             try:
-                if number != record["origin"]["packet"]:
-                    raise Difference(f"jausdump shows it in packet {record['origin']['packet']}")
+                packet = packets[at] if packets else record["origin"]["packet"]
+                if number != packet:
+                    raise Difference(f"jausdump shows it in packet {packet}")
                 require_message(record, proto)
             except (Difference, IndexError) as difference:
                 raise Difference(f"{os.path.basename(capture)}, frame {number}, {record['message']}: {difference!r}\n"
                                  f"{json.dumps(record)}\n{xml.tostring(proto).decode()}") from difference
+
+
+def require_same(dissector, jausdump, capture, dump_arguments=(), tshark_arguments=()):
+    """Returns the number of messages, and of those that were decoded."""
+    wanted = messages_of_jausdump(jausdump, capture, dump_arguments)
+    require_shown(wanted, dissector, capture, tshark_arguments)
     return len(wanted), sum(record["fields"] is not None for record in wanted)
+
+
+def require_frames(dissector, capture, display_filter, wanted, arguments=()):
+    """The frames that a filter passes."""
+    shown = tshark(dissector, ["-r", capture, "-2", *arguments, "-Y", display_filter, "-T", "fields", "-e", "frame.number"])
+    frames = [int(number) for number in shown.split()]
+    if frames != wanted:
+        raise Difference(f"{display_filter}: passes frames {frames}, not {wanted}")

@@ -1939,12 +1939,13 @@ local jaus = Proto("jaus", "JAUS")
 
 jaus.prefs.mobility = Pref.enum("Mobility services", 1, "Version of the SAE mobility services",
     {{1, "1.1", 1}, {2, "1.0", 2}}, false)
-jaus.prefs.table = Pref.enum("EtherCAT table", 1, "Mapping table of JAUS messages in EtherCAT objects",
-    {{1, "RA 3.3: seed or self-contained, by the data", 1}, {2, "RA 3.3: seed", 2}, {3, "RA 3.3: self-contained", 3},
-     {4, "SAE", 4}, {5, "none", 5}}, false)
-jaus.prefs.index_base = Pref.uint("EtherCAT index base", 6900, "Object index of component 0: 6900, 8192 (0x2000), 26880 (0x6900)")
-jaus.prefs.subsystem = Pref.uint("EtherCAT subsystem", 1, "JAUS subsystem of the slaves, which the seed table leaves out")
-jaus.prefs.fixed_length = Pref.bool("EtherCAT objects of fixed length", false,
+jaus.prefs.ethercat_table = Pref.enum("EtherCAT table", 1, "Mapping table of JAUS messages in EtherCAT objects",
+    {{1, "RA", 1}, {2, "seed", 2}, {3, "self-contained", 3}, {4, "SAE", 4}, {5, "none", 5}}, false)
+jaus.prefs.ethercat_index_base = Pref.uint("EtherCAT index base", 6900,
+    "Object index of component 0: 6900, 8192 (2000h) or 26880 (6900h)")
+jaus.prefs.ethercat_subsystem = Pref.uint("EtherCAT subsystem", 0,
+    "JAUS subsystem of the slaves, which the seed table leaves out")
+jaus.prefs.ethercat_fixed_length = Pref.bool("EtherCAT objects of fixed length", false,
     "The data of an object begin with their length, in two bytes")
 
 local experts = {
@@ -2586,19 +2587,20 @@ end
 
 local function describe_in_columns(pinfo, title, source, destination)
     pinfo.cols.protocol = "JAUS"
-    pinfo.cols.info:append((pinfo.private.jaus_described and "; " or "") ..
-        ("%s, %s -> %s"):format(title, source, destination))
-    pinfo.private.jaus_described = "yes"
+    local is_first = tostring(pinfo.cols.info) == "" and not pinfo.private.jaus_described
+    pinfo.cols.info:append((is_first and "" or "; ") .. ("%s, %s -> %s"):format(title, source, destination))
+    pinfo.private.jaus_described = "yes" -- of a stream, the column does not tell
 end
 
 -- Name and number of an enumerator or bit-field in a value of `header`.
 local ack, nak, requested = 3, 2, 1
 
 -- A message of RA 3.3, which `range` holds from its header on.
-local function dissect_ra_message(tvb, begin, size, pinfo, root, framing, whole)
+local function dissect_ra_message(tvb, begin, size, pinfo, root, framing, whole, object)
     local tree = root:add(jaus, tvb(begin, size))
     local data = {tvb = tvb, begin = begin, at = begin, limit = begin + size}
     if framing then tree:add(framing_field, framing):set_generated() end
+    if object then tree:add(object_field, object):set_generated() end
     local head = guarded(read_structure, ra_header, data, tree)
     if not head then return end
     local source = structure_notations.address(head.source)
@@ -2641,13 +2643,14 @@ end
 local sae_head_size, sae_overhead = 12, 14
 
 -- A message of AS5669A, from its transport header on. Returns its size; nil where its end is not known.
-local function dissect_sae_message(tvb, begin, limit, pinfo, root, whole)
+local function dissect_sae_message(tvb, begin, limit, pinfo, root, whole, object)
     local left = limit - begin
     local size = left >= 3 and tvb(begin + 1, 2):le_uint() or 0
     local compression = math.floor(tvb(begin, 1):uint() / 64)
     local is_whole = left >= sae_overhead and size >= sae_overhead + (compression ~= 0 and 2 or 0) and size <= left
     local end_of_bytes = is_whole and begin + size or limit
     local tree = root:add(jaus, tvb(begin, end_of_bytes - begin))
+    if object then tree:add(object_field, object):set_generated() end
     local own, at = tvb, begin
     if compression ~= 0 and left >= 5 then
         -- The two bytes behind the size are taken out, so that the header is the same.
@@ -2803,3 +2806,323 @@ end
 
 DissectorTable.get("udp.port"):add(3794, jaus)
 DissectorTable.get("tcp.port"):add(3794, jaus)
+
+-- EtherCAT ---------------------------------------------------------------------------------------------------------------
+
+-- What a mailbox carries is found in the bytes of the frame: Wireshark's own dissector has no table for it, and its fields
+-- are there only where a tree is made.
+
+local aprd, apwr, fprd, fpwr, bwr = 1, 2, 4, 5, 8
+local station_address, al_control, process_ram = 0x0010, 0x0120, 0x1000
+local mailbox_error, coe = 0, 3
+local sdo_request, sdo_response = 2, 3
+
+local mailboxes     -- by slave and direction: the last message, which each frame may show again
+local stations      -- of slaves by their positions
+local sent          -- commands by position, by the index of their datagrams
+local transfers     -- that go on, by slave
+local found_objects -- by frame
+
+local function little_endian(bytes, at, size)
+    local value = 0
+    for i = size - 1, 0, -1 do value = value * 256 + bytes:get_index(at + i) end
+    return value
+end
+
+local function component_of(object)
+    local number = object.index - jaus.prefs.ethercat_index_base
+    return number % 256, math.floor(number / 256)
+end
+
+local function is_message_object(object)
+    local component, segment = component_of(object)
+    local last_segment = jaus.prefs.ethercat_table == 4 and 15 or 0
+    return jaus.prefs.ethercat_table ~= 5 and segment >= 0 and segment <= last_segment and component ~= 0 and
+        object.subindex ~= 0 and not object.complete_access
+end
+
+local function bytes_of(...)
+    local made = ""
+    for _, byte in ipairs({...}) do made = made .. ("%02x"):format(byte) end
+    return ByteArray.new(made)
+end
+local function part(bytes, at, size)
+    return size > 0 and bytes:subset(at, size) or ByteArray.new()
+end
+
+-- The message of an object's data, as bytes; nil and the reason where they are none.
+local function message_of(object)
+    local data = object.data
+    if jaus.prefs.ethercat_fixed_length then
+        if data:len() < 2 then return nil, "no length" end
+        local length = little_endian(data, 0, 2)
+        if length > data:len() - 2 then return nil, ("the length is %d, %d bytes follow"):format(length, data:len() - 2) end
+        data = part(data, 2, length)
+    end
+    local component, segment = component_of(object)
+    local node = object.station and object.station < 255 and object.station or 0
+    local size, kind = data:len(), jaus.prefs.ethercat_table
+    if kind == 4 then
+        local code = sae_ranks[segment + 1][object.subindex]
+        if not code then return nil, "no message of the subindex" end
+        if size < 9 then return nil, "shorter than the header" end
+        local held = size + 7
+        local made = bytes_of(0, held % 256, math.floor(held / 256), data:get_index(0), component, node,
+            data:get_index(1), data:get_index(2))
+        made:append(part(data, 3, 4))
+        made:append(bytes_of(code % 256, math.floor(code / 256)))
+        made:append(part(data, 7, size - 7))
+        return made
+    end
+    local code = ra_ranks[object.subindex]
+    if not code then return nil, "no message of the subindex" end
+    local states_size = size >= 12 and little_endian(data, 8, 2) % 4096 == size - 12
+    if kind == 1 then kind = states_size and 3 or 2 end
+    if kind == 3 and not states_size then return nil, "the stated size is another" end
+    if size < 8 then return nil, "shorter than the header" end
+    local made = part(data, 0, 2)
+    made:append(bytes_of(code % 256, math.floor(code / 256)))
+    if kind == 3 then
+        made:append(bytes_of(data:get_index(2), component, node, data:get_index(3)))
+        made:append(part(data, 4, size - 4))
+        return made
+    end
+    local body = size - 8
+    made:append(bytes_of(1, component, node, jaus.prefs.ethercat_subsystem))
+    made:append(part(data, 2, 4))
+    made:append(bytes_of(body % 256, math.floor(body / 256)))
+    made:append(part(data, 6, size - 6))
+    return made
+end
+
+local function carry(object, frame)
+    if is_message_object(object) then table.insert(found_objects[frame], {object = object}) end
+end
+
+local function begin_transfer(slave, sdo, is_download)
+    transfers[slave.name] = nil
+    if sdo:len() < 8 then return end
+    local command = sdo:get_index(0)
+    local object = {slave = slave.name, station = slave.station, download = is_download,
+        index = little_endian(sdo, 1, 2), subindex = sdo:get_index(3), complete_access = has_bit(command, 4),
+        data = ByteArray.new()}
+    local transfer = {object = object, toggle = false}
+    transfers[slave.name] = transfer
+    return transfer
+end
+
+local function take_initial(slave, transfer, sdo, frame)
+    local command, object = sdo:get_index(0), transfer.object
+    local expedited, size_indicated = has_bit(command, 1), has_bit(command, 0)
+    if expedited then
+        local unused = size_indicated and math.floor(command / 4) % 4 or 0
+        object.data = part(sdo, 4, 4 - unused)
+        transfer.size = object.data:len()
+    else
+        local size, held = little_endian(sdo, 4, 4), sdo:len() - 8
+        if not size_indicated and size < held then size = held end -- some masters leave the size out: this is all
+        object.data = part(sdo, 8, math.min(held, size))
+        transfer.size = size
+    end
+    transfer.is_open = object.data:len() < transfer.size
+    transfer.in_segments = transfer.is_open
+    if transfer.is_open then return end
+    carry(object, frame)
+    if not object.download then transfers[slave.name] = nil end
+end
+
+local function take_segment(slave, sdo, is_download, frame)
+    local transfer = transfers[slave.name]
+    if not transfer or not transfer.is_open or transfer.object.download ~= is_download then return end
+    local command = sdo:get_index(0)
+    local held = sdo:len() - 1
+    if held <= 7 then held = math.min(held, 7 - math.floor(command / 2) % 8) end
+    local data = transfer.object.data
+    local is_last, size = has_bit(command, 0), data:len() + held
+    local fits = is_last and size == transfer.size or not is_last and size <= transfer.size
+    if has_bit(command, 4) ~= transfer.toggle or not fits then
+        transfers[slave.name] = nil
+        return
+    end
+    data:append(part(sdo, 1, held))
+    transfer.toggle = not transfer.toggle
+    if not is_last then return end
+    transfer.is_open = false
+    carry(transfer.object, frame)
+    if not is_download then transfers[slave.name] = nil end
+end
+
+local function names_object(sdo, transfer)
+    return sdo:len() >= 4 and little_endian(sdo, 1, 2) == transfer.object.index and
+        sdo:get_index(3) == transfer.object.subindex
+end
+
+local function refuse(slave, text, frame)
+    local transfer = transfers[slave.name]
+    transfers[slave.name] = nil
+    if transfer and is_message_object(transfer.object) then
+        table.insert(found_objects[frame], {object = transfer.object, refused = text})
+    end
+end
+
+local function take_abort(slave, sdo, frame)
+    local transfer = transfers[slave.name]
+    if sdo:len() < 8 or not transfer or not (transfer.in_segments or names_object(sdo, transfer)) then return end
+    refuse(slave, ("SDO abort 0x%04X%04X"):format(little_endian(sdo, 6, 2), little_endian(sdo, 4, 2)), frame)
+end
+
+local function confirm(slave, transfer)
+    if transfer and transfer.object.download and not transfer.is_open then transfers[slave.name] = nil end
+end
+
+local function take_sdo(slave, to_slave, sdo, frame)
+    if sdo:len() < 1 then return end
+    local specifier, transfer = math.floor(sdo:get_index(0) / 32), transfers[slave.name]
+    if specifier == 4 then
+        take_abort(slave, sdo, frame)
+    elseif to_slave and specifier == 1 then
+        local begun = begin_transfer(slave, sdo, true)
+        if begun then take_initial(slave, begun, sdo, frame) end
+    elseif to_slave and specifier == 2 then
+        begin_transfer(slave, sdo, false)
+    elseif to_slave and specifier == 0 then
+        take_segment(slave, sdo, true, frame)
+    elseif specifier == 2 then
+        local is_expected = transfer and not transfer.object.download and names_object(sdo, transfer)
+        local begun = is_expected and transfer or begin_transfer(slave, sdo, false)
+        if begun and sdo:len() >= 8 then take_initial(slave, begun, sdo, frame) end
+    elseif specifier == 0 then
+        take_segment(slave, sdo, false, frame)
+    elseif specifier == 3 and transfer and names_object(sdo, transfer) or specifier == 1 then
+        confirm(slave, transfer)
+    end
+end
+
+local function take_mailbox_message(slave, to_slave, message, frame)
+    local kind = message:get_index(5) % 16
+    local size = message:len() - 6
+    if kind == mailbox_error and not to_slave and size >= 4 then
+        refuse(slave, ("mailbox error 0x%04X"):format(little_endian(message, 8, 2)), frame)
+    elseif kind == coe and size > 2 then
+        local service = math.floor(message:get_index(7) / 16)
+        if service == sdo_request or service == sdo_response then -- some slaves abort by a request
+            take_sdo(slave, to_slave, part(message, 8, size - 2), frame)
+        end
+    end
+end
+
+local function position_of(datagram)
+    local out = sent[datagram.index]
+    local is_same = out and out.command == datagram.command and out.ado == datagram.ado
+    return (65536 - (is_same and out.adp or datagram.adp)) % 65536
+end
+
+local function slave_of(datagram)
+    if datagram.command == fprd or datagram.command == fpwr then
+        return {name = ("station %d"):format(datagram.adp), station = datagram.adp}
+    end
+    local position = position_of(datagram)
+    local station = stations[position]
+    if station then return {name = ("station %d"):format(station), station = station} end
+    return {name = ("position %d"):format(position)}
+end
+
+-- Registers with the identity of a slave, or that reset its mailbox.
+local function note_setup(datagram)
+    if datagram.command == apwr and datagram.ado == station_address and datagram.data:len() >= 2 then
+        stations[position_of(datagram)] = little_endian(datagram.data, 0, 2)
+    elseif datagram.ado == al_control and datagram.command == bwr then
+        mailboxes = {}
+    elseif datagram.ado == al_control and (datagram.command == apwr or datagram.command == fpwr) then
+        local name = slave_of(datagram).name
+        mailboxes[name .. " true"], mailboxes[name .. " false"] = nil, nil
+    end
+end
+
+local function take_datagram(datagram, frame)
+    local command, is_executed = datagram.command, datagram.working_counter ~= 0
+    if not is_executed then
+        if command == aprd or command == apwr then sent[datagram.index] = datagram end
+        return
+    end
+    if datagram.ado < process_ram then return note_setup(datagram) end
+    local to_slave = command == apwr or command == fpwr
+    if not to_slave and command ~= aprd and command ~= fprd then return end
+    local data = datagram.data
+    if data:len() < 7 then return end
+    local length = little_endian(data, 0, 2)
+    if length < 1 or length > data:len() - 6 then return end
+    local message, slave = part(data, 0, 6 + length), slave_of(datagram)
+    local key = slave.name .. " " .. tostring(to_slave)
+    local last, hex = mailboxes[key], message:tohex()
+    -- A sender that counts gives each message another counter than the one before.
+    local counter = math.floor(message:get_index(5) / 16) % 8
+    if last and last.hex == hex and (counter ~= 0 or last.index == datagram.index) then return end
+    mailboxes[key] = {hex = hex, index = datagram.index}
+    take_mailbox_message(slave, to_slave, message, frame)
+end
+
+-- The datagrams of a frame, in the first pass over it.
+local function take_frame(tvb, frame)
+    local at = 0
+    while at + 12 <= tvb:len() do
+        local word = tvb(at + 6, 2):le_uint()
+        local size = word % 2048
+        if at + 12 + size > tvb:len() then return end
+        take_datagram({command = tvb(at, 1):uint(), index = tvb(at + 1, 1):uint(), adp = tvb(at + 2, 2):le_uint(),
+            ado = tvb(at + 4, 2):le_uint(), data = size > 0 and tvb(at + 10, size):bytes() or ByteArray.new(),
+            working_counter = tvb(at + 10 + size, 2):le_uint()}, frame)
+        if word < 32768 then return end
+        at = at + 12 + size
+    end
+end
+
+local function show_object(found, pinfo, root)
+    local object = found.object
+    local bytes, why = message_of(object)
+    local text = ("0x%04X:%d, %s %s"):format(object.index, object.subindex, object.download and "download to" or
+        "upload from", object.slave)
+    local tree
+    if found.refused then
+        local code = jaus.prefs.ethercat_table ~= 4 and ra_ranks[object.subindex]
+        tree = root:add(jaus, "JAUS: message in EtherCAT object " .. text)
+        if code then tree:add(command_code_field, code):set_generated() end
+        tree:add_proto_expert_info(experts.refused, "Refused: " .. found.refused)
+    elseif not bytes then
+        tree = root:add(jaus, "JAUS: EtherCAT object " .. text)
+        if object.data:len() > 0 then
+            local tvb = object.data:tvb("JAUS object")
+            tree:add(body_field, tvb())
+        end
+        tree:add_proto_expert_info(experts.malformed, "Malformed: no message: " .. why)
+    else
+        local tvb = bytes:tvb("JAUS message")
+        if jaus.prefs.ethercat_table == 4 then
+            dissect_sae_message(tvb, 0, tvb:len(), pinfo, root, nil, text)
+        else
+            dissect_ra_message(tvb, 0, tvb:len(), pinfo, root, nil, nil, text)
+        end
+    end
+end
+
+local ethercat = Proto("jaus_ethercat", "JAUS over EtherCAT")
+local frame_types = DissectorTable.get("ecatf.type")
+local commands = 1
+local wiresharks_own = frame_types:get_dissector(commands)
+
+function ethercat.dissector(tvb, pinfo, root)
+    local size = wiresharks_own:call(tvb, pinfo, root)
+    local frame = pinfo.number
+    if not found_objects[frame] then
+        found_objects[frame] = {}
+        take_frame(tvb, frame)
+    end
+    for _, found in ipairs(found_objects[frame]) do show_object(found, pinfo, root) end
+    return size
+end
+frame_types:set(commands, ethercat)
+
+function jaus.init()
+    open_queries, links, open_sets, packet_results = {}, {}, {}, {}
+    mailboxes, stations, sent, transfers, found_objects = {}, {}, {}, {}, {}
+end
