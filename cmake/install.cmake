@@ -1,8 +1,8 @@
 # Installs the headers, a package for find_package(jauscat) and files for pkg-config: the targets jauscat::jauscat and
 # jauscat::text, and jauscat::esi, jauscat::net and jauscat::compiled where what they need is there
 # (find_package(jauscat COMPONENTS net) insists on it). All of it is in the component "development"; the tools, if they are
-# built, are in the component "tools". With JAUSCAT_INSTALL_COMPILED the component "compiled" has the libraries that users
-# compile otherwise; find_package takes them where they are.
+# built, are in the component "tools", the Wireshark dissector in "wireshark". With JAUSCAT_INSTALL_COMPILED the component
+# "compiled" has the libraries that users compile otherwise; find_package takes them where they are.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/jauscat) # the same for every machine, so not beside libraries
 set(pc_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)
@@ -62,6 +62,9 @@ foreach(file IN LISTS compiled_pc_files)
     install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${file} DESTINATION ${pc_dir} COMPONENT compiled)
 endforeach()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# With a prefix of ~/.local this is where Wireshark looks for the scripts of a user.
+install(FILES tools/wireshark/jauscat.lua DESTINATION ${CMAKE_INSTALL_LIBDIR}/wireshark/plugins COMPONENT wireshark)
 
 foreach(tool communicator jausdump jauscat_ecat jauscat_esi jauscat_jsidl)
     if(TARGET ${tool})

@@ -121,7 +121,7 @@ class Cases:
         compare.require_frames(self.dissector, capture, "jaus.report_in == 3", [2])
         compare.require_frames(self.dissector, capture, "jaus.query_in == 2", [3])
         compare.require_frames(self.dissector, capture, "jaus.report_in == 5", [4])
-        compare.require_frames(self.dissector, capture, "jaus.query_in == 4 && jaus.report_time == 0.001", [5])
+        compare.require_frames(self.dissector, capture, "jaus.query_in == 4 && jaus.response_time == 0.001", [5])
         compare.require_frames(self.dissector, capture, "jaus.query_in || jaus.report_in", [2, 3, 4, 5])
 
     def faults_have_expert_information(self):

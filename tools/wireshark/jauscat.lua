@@ -1935,6 +1935,9 @@ local sae_ranks = {{0x0001,0x0002,0x0003,0x0004,0x0005,0x0006,0x0007,0x000D,0x00
 
 -- The dissector. It knows the forms of values and the transports, and no message.
 
+-- Loaded before, from a folder of plugins.
+if Dissector.get("jaus") then return end
+
 local jaus = Proto("jaus", "JAUS")
 
 jaus.prefs.mobility = Pref.enum("Mobility services", 1, "Version of the SAE mobility services",
@@ -2050,7 +2053,11 @@ local function compile(form_number, abbreviation, title)
         node.element = compile(form[2], abbreviation, title)
     elseif kind == "choice" then
         node.cases = {}
-        for tag, case in pairs(form[2]) do
+        local tags = {}
+        for tag in pairs(form[2]) do tags[#tags + 1] = tag end
+        table.sort(tags) -- the type of the first case has the name alone
+        for _, tag in ipairs(tags) do
+            local case = form[2][tag]
             local is_structure = case ~= 0 and forms[case][1] == "structure"
             node.cases[tag] = case == 0 and "none" or
                 compile(case, is_structure and abbreviation or abbreviation .. ".value", title)
@@ -2156,15 +2163,12 @@ local framing_field = new_field("string", "jaus.framing", "Framing")
 local body_field = new_field("bytes", "jaus.body", "Body")
 local compression_number_field = new_field("uint8", "jaus.compression.number", "Compression Number", base.DEC)
 local compression_length_field = new_field("uint8", "jaus.compression.length", "Compression Length", base.DEC)
-local query_field = ProtoField.framenum("jaus.query_in", "Query in frame", base.NONE, frametype.REQUEST)
-local report_field = ProtoField.framenum("jaus.report_in", "Report in frame", base.NONE, frametype.RESPONSE)
-local time_field = ProtoField.relative_time("jaus.report_time", "Time from the query to its report")
-local packet_field = ProtoField.framenum("jaus.packet", "Packet in frame", base.NONE)
-local whole_field = ProtoField.framenum("jaus.reassembled_in", "Reassembled in frame", base.NONE)
+local query_field = new_field("framenum", "jaus.query_in", "Query in frame", base.NONE, frametype.REQUEST)
+local report_field = new_field("framenum", "jaus.report_in", "Report in frame", base.NONE, frametype.RESPONSE)
+local time_field = new_field("relative_time", "jaus.response_time", "Time from the query to its report")
+local packet_field = new_field("framenum", "jaus.packet", "Packet in frame", base.NONE)
+local whole_field = new_field("framenum", "jaus.reassembled_in", "Reassembled in frame", base.NONE)
 local object_field = new_field("string", "jaus.object", "EtherCAT object")
-for _, one in ipairs({query_field, report_field, time_field, packet_field, whole_field}) do
-    all_fields[#all_fields + 1] = one
-end
 jaus.fields = all_fields
 
 -- Values ------------------------------------------------------------------------------------------------------------
@@ -3088,6 +3092,7 @@ local function show_object(found, pinfo, root)
         tree = root:add(jaus, "JAUS: message in EtherCAT object " .. text)
         if code then tree:add(command_code_field, code):set_generated() end
         tree:add_proto_expert_info(experts.refused, "Refused: " .. found.refused)
+        pinfo.cols.info:append("refused: object " .. text)
     elseif not bytes then
         tree = root:add(jaus, "JAUS: EtherCAT object " .. text)
         if object.data:len() > 0 then
@@ -3095,6 +3100,7 @@ local function show_object(found, pinfo, root)
             tree:add(body_field, tvb())
         end
         tree:add_proto_expert_info(experts.malformed, "Malformed: no message: " .. why)
+        pinfo.cols.info:append("no message: object " .. text)
     else
         local tvb = bytes:tvb("JAUS message")
         if jaus.prefs.ethercat_table == 4 then
@@ -3116,6 +3122,10 @@ function ethercat.dissector(tvb, pinfo, root)
     if not found_objects[frame] then
         found_objects[frame] = {}
         take_frame(tvb, frame)
+    end
+    if #found_objects[frame] ~= 0 then
+        pinfo.cols.protocol = "JAUS"
+        pinfo.cols.info = ""
     end
     for _, found in ipairs(found_objects[frame]) do show_object(found, pinfo, root) end
     return size
