@@ -41,6 +41,28 @@ def ra_datagrams(path):
         yield framed(head + message[16:], number % 3)
 
 
+def damaged(body, begin, random):
+    """A few bytes from `begin` on are changed, cut off or added."""
+    made = bytearray(body)
+    for _ in range(random.choice([1, 1, 2, 3])):
+        kind = random.choice(["change", "change", "cut", "add"])
+        if kind == "add":
+            made += random.randbytes(random.randrange(1, 9))
+        elif len(made) > begin and kind == "change":
+            made[random.randrange(begin, len(made))] = random.choice([0, 255, 1, 128, random.randrange(256)])
+        elif len(made) > begin:
+            del made[random.randrange(begin, len(made)):]
+    return bytes(made)
+
+
+def damaged_datagrams(ra, sae, random):
+    for number, message in enumerate(vectors(ra)):
+        code = struct.unpack_from("<H", message, 2)[0]
+        yield b"JAUS01.0" + ra_message(code, damaged(message[16:], 0, random), source=ra_source(number))
+    for number, payload in enumerate(vectors(sae)):
+        yield b"\x02" + transport(damaged(payload, 2, random), number)
+
+
 def transport(payload, number, fragment=0):
     properties = 1 | fragment << 6
     head = bytes([0]) + struct.pack("<H", len(payload) + 14) + bytes([properties]) + SAE_DESTINATION + SAE_SOURCE

@@ -2289,7 +2289,11 @@ end
 function readers.message(node, data, tree, scope, count)
     local begin = data.at
     if node.structure then
-        read_structure(node.structure, data, nothing, scope)
+        local decoded, problem = pcall(read_structure, node.structure, data, nothing, scope)
+        if not decoded and problem ~= stop then error(problem, 0) end
+        if not decoded then
+            fail(tree, experts.truncated, ("Truncated: %s at byte %d ends too early"):format(node.title, begin - data.begin))
+        end
         count = data.at - begin
         data.at = begin
     end
