@@ -34,7 +34,8 @@ void check_payload(const catalogue::entry& type, std::span<const std::byte> payl
         check(message.error().error == strict, "only values outside their value sets are tolerated");
         return;
     }
-    check(!lines.empty() && !message->to_text().empty(), "a message has lines");
+    check(!lines.empty(), "a message has a line for its ID");
+    static_cast<void>(message->to_text());
     const bool is_inside = message->outside_values().empty();
     check(strict == (is_inside ? errc::ok : errc::outside_value_set), "a value outside its set is named");
     check(message->encode().error() == strict, "encode refuses the values that decode refuses");
@@ -70,7 +71,7 @@ void fuzz::run(std::span<const std::byte> input) {
     const auto* type = set->find(*id);
     if (type == nullptr) {
         type = &*(set->begin() + static_cast<std::ptrdiff_t>(*id % set->size()));
-        wire::u16le::store(payload.data(), type->command_code());
+        static_cast<void>(wire::u16le::store(payload.data(), type->command_code()));
     }
     check_payload(*type, payload);
 }

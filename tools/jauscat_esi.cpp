@@ -68,7 +68,7 @@ struct table_numbers {
     std::map<std::string_view, const catalogue::list*> sets{}; ///< lists of messages that have a name
 
     template <class Table> static table_numbers of(const catalogue::list& messages) {
-        const auto index_of = [](std::uint8_t component, std::uint16_t command_code) {
+        const auto index = [](std::uint8_t component, std::uint16_t command_code) {
             typename Table::header_type header{};
             typename Table::packet_type packet{};
             Table::index_row::from::of(header) = component;
@@ -77,7 +77,7 @@ struct table_numbers {
             return static_cast<std::uint16_t>(Table::index_row::to::of(packet));
         };
         return {.exact_size = jauscat::translate::has_fixed_length<Table>,
-                .index_of = index_of,
+                .index_of = index,
                 .sub_object_of = &bridging::sub_object_of<Table>,
                 .messages = &messages};
     }

@@ -40,8 +40,8 @@ void remarks::read(const std::filesystem::path& header) {
             add_line(above, line.substr(4));
         } else if (std::regex_match(line, match, type)) {
             current = match[1];
-            types_[current] = above;
-            homes_[current] = stem;
+            types_.emplace(current, above); // a service of SAE may have the name of a message, and comes behind it
+            homes_.emplace(current, stem);
             above.clear();
         } else if (std::regex_match(line, match, more) && last != nullptr) {
             add_line(*last, match[1]);

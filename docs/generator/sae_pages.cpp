@@ -91,8 +91,8 @@ and [by name](#by-name). [jaus-generations.md](../../jaus-generations.md) compar
 [another reference](../README.md).
 
 [How to read the pages](../README.md#how-to-read-the-pages) is the same for both generations, with three differences: a payload begins
-with the message ID, from which bytes are counted; an unsigned integer of *n* steps stands for a real number in any type, 0 for its lower
-limit and all ones for the upper one; a variant is preceded by the number of the form that follows.
+with the message ID, from which bytes are counted; a real number travels as an unsigned integer, 0 for its lower limit and all
+ones for the upper one; a variant is preceded by the number of the form that follows.
 
 In values, `1, 3 to 5` is a value set: a decoder tells other values apart from bytes that cannot be, and accepts them on request.
 

@@ -104,7 +104,7 @@ TEST_CASE("a value outside its value set is told apart from bytes that are no me
     REQUIRE(message);
     CHECK(message->outside_values() == std::vector<std::string>{"emergency_code"});
     CHECK(message->to_text() == "  emergency_code = 0x0000 (outside its values)\n");
-    CHECK(emergency.annotate(body).find("emergency_code = 0x0 (outside its values)") != std::string::npos);
+    CHECK(emergency.annotate(body).find("emergency_code = 0x0000 (outside its values)") != std::string::npos);
     CHECK(message->encode().error() == wire::errc::outside_value_set);
     CHECK(to_hex(*message->encode(wire::tolerate_values)) == "06 00 00 00");
     CHECK(emergency.decode(from_hex("0600 01"), wire::tolerate_values).error().error == wire::errc::truncated);
@@ -113,7 +113,7 @@ TEST_CASE("a value outside its value set is told apart from bytes that are no me
     CHECK(stop->encode());
     // A time with 1023 ms: two bit-fields of a structure that is shown as one integer.
     const auto& pose = *catalogue::sae().find(std::uint16_t{0x4402});
-    const auto late = pose.decode(from_hex("0244 8000 ffffffff"), wire::tolerate_values);
+    const auto late = pose.decode(from_hex("0244 0001 ffffffff"), wire::tolerate_values);
     REQUIRE(late);
     CHECK(late->outside_values().front() == "time_stamp.milliseconds");
     CHECK(late->to_text().ends_with(" (outside its values)\n"));

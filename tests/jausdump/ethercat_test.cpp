@@ -337,7 +337,7 @@ TEST_CASE("wrong arguments of --ethercat and captures without EtherCAT are repor
         CHECK(result.code == 2);
         CHECK(result.err.find(text) != std::string::npos);
     };
-    says("--ethercat paper " + own_seed, "--ethercat must be seed or self-contained, not 'paper'");
+    says("--ethercat paper " + own_seed, "--ethercat must be seed or self-contained or sae, not 'paper'");
     says("--ethercat seed", "--ethercat needs a capture");
     says("--ethercat seed --listen 0", "--ethercat needs a capture");
     says("--index-base 0x2000 " + own_seed, "--index-base needs --ethercat");

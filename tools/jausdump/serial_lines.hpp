@@ -23,7 +23,7 @@ class serial_lines {
     void finish() {
         for (auto& [name, one] : lines_)
             one.frames.on_bytes(std::array{std::byte{0x10}, std::byte{0x01}},
-                                [&line = one, this](const sae::serial_frame& frame) { take_(frame, line.last); });
+                                [&held = one, this](const sae::serial_frame& frame) { take_(frame, held.last); });
     }
 
   private:
