@@ -22,6 +22,7 @@ class joint_part final : public bridging::process_part {
     std::optional<bridging::drive_fault> fault{}; ///< as a drive reports it
     bool reset_helps{true};
     unsigned starts{}, steps{}, resets{};
+    unsigned checks{};  ///< of the slaves' objects
     unsigned missing{}; ///< slaves without data at the last step
     std::vector<ethercat::init_command> start_up_objects{};
 
@@ -29,6 +30,10 @@ class joint_part final : public bridging::process_part {
         return start_up_objects;
     }
 
+    [[nodiscard]] ethercat::master_error check_objects(std::size_t) override {
+        ++checks;
+        return {};
+    }
     [[nodiscard]] result<void> start(bridging::slave_group slaves, jauscat::duration) override {
         ++starts;
         ++number_;

@@ -83,6 +83,7 @@ TEST_CASE("a lost slave brings the others of its component to rest") {
     a.r.dead_from = 1000;
     a.r.run_until_ready();
     CHECK(a.part.starts == 2);
+    CHECK(a.part.checks == 6 + a.r.watcher.lost); // the objects of each slave that has returned, again
     CHECK(a.is_at_rest());
     a.run_until_moving(20);
     CHECK(a.r.motor(3).effort == Approx(23).margin(0.01));
@@ -118,6 +119,9 @@ TEST_CASE("a drive's fault brings the component to Failure and all its slaves to
     CHECK(a.r.watcher.ended_faults == 1);
     CHECK(a.part.starts == 1);
     a.run_until_moving(20);
+    a.part.fault = bridging::drive_fault{.slave = 1, .code = 0x8611}; // the same, again
+    a.r.run_until([&] { return a.r.unit().state() == status::failure; });
+    CHECK(a.r.watcher.faults.size() == 2);
 }
 
 TEST_CASE("a part without a mailbox gets emergencies, and other messages are unknown") {

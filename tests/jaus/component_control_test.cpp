@@ -222,6 +222,23 @@ TEST_CASE("any message of the controller but a heartbeat query proves liveness, 
     REQUIRE_FALSE(a.control.takes_pulse({.command_code = 0x4202, .destination = self, .source = other}));
 }
 
+TEST_CASE("a further command of a sender without control does not make its heartbeat an unrequested one") {
+    arm a{{.timeout = 1s}};
+    const jaus::header move{.command_code = 0x0405, .destination = self, .source = ocu};
+    const auto obey = [&](instant now) {
+        a.control.heard(move, now);
+        a.control.obeyed(move, message_outcome::handled, now);
+    };
+    obey(10s);
+    a.control.on_time(instant{10250ms}, a.sent.sink());
+    REQUIRE(a.sent.size() == 1);
+    REQUIRE(a.sent.header(0).command_code == 0x2202);
+    obey(10260ms);
+    const jaus::header pulse{.command_code = 0x4202, .destination = self, .source = ocu};
+    REQUIRE(a.control.takes_pulse(pulse));
+    REQUIRE_FALSE(a.control.takes_pulse(pulse));
+}
+
 TEST_CASE("the default timeout is half a second, and any other than 0 works") {
     arm a;
     a.request(1, ocu, 10s);

@@ -148,7 +148,7 @@ template <class Table> struct strict_robot {
     application behind{};
     bridging::listed_objects objects{arm_objects<Table>, behind, bridging::size_rule::exact};
     std::array<ethercat::slave, 1> devices{ethercat::slave{{.vendor = 1}, objects}};
-    test::simulated_link link{devices};
+    jauscat::test::simulated_link link{devices};
     ethercat::master_for<16> master{};
 
     using delivery = bridging::delivery<Table>;
