@@ -381,6 +381,20 @@ TEST_CASE("process data of a slave that are larger than a frame are refused") {
     CHECK(cyclic_data{bus{}, {.watch_slaves = true}}.cycle().empty());
 }
 
+TEST_CASE("where the memory does not hold all process data, none are exchanged, and none can be written") {
+    bus b;
+    b.add(4, 4).add(4, 4);
+    std::vector<process_slot> slots(2);
+    bytes memory(b.end - 1);
+    process_data data{slots, memory};
+    CHECK_FALSE(data.set_slaves(b.slaves));
+    CHECK(data.image().size == 0);
+    for (const auto& slave : b.slaves) {
+        CHECK(data.outputs(slave).empty());
+        CHECK(data.inputs(slave).empty());
+    }
+}
+
 TEST_CASE("any mixture of slaves is exchanged whole, each byte once, in frames that are as full as they can be") {
     std::mt19937 random{1};
     for (int round = 0; round != 300; ++round) {
