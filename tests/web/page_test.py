@@ -190,11 +190,10 @@ def an_error_names_the_field_and_the_byte(p):
     assert p.run("return [...document.querySelectorAll('.octet.bad')].map(one => one.textContent)") == ["00"]
     p.picture("error")
     for text, wanted in (("0602 05x4", "not a hex digit at column 8"), ("060", "odd number of hex digits"),
-                         (wrench + "ff", "data_size at byte 12 is 5"), ("0602ffff" + wrench[8:], "command code 0xFFFF"),
-                         ("0405 0100 ff", "does not")):
+                         (wrench + "ff", "trailing bytes after the last field at byte 21"), ("0602ffff" + wrench[8:], "command code 0xFFFF"),
+                         ("0504 0100 ff", "propulsive_linear_effort_x at byte 4 needs 2 bytes, 1 left")):  # a payload of SAE
         p.paste(text)
-        if wanted != "does not":
-            p.until(lambda: wanted in p.text("#fault"), f"{text}: {p.text('#fault')}")
+        p.until(lambda: wanted in p.text("#fault"), f"{text}: {wanted}")
 
 
 def pcapng(file):

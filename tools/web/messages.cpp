@@ -176,9 +176,12 @@ json taken_apart(std::span<const std::byte> message, generation of, bool is_payl
         body = split.payload;
     }
     const auto end = [&] {
-        if (of == generation::sae && !is_payload)
-            add(text::annotated<sae::sequence_number>(message.subspan(begin + body.size())), begin + body.size(),
-                "sequence");
+        if (of == generation::ra || is_payload) return;
+        const std::size_t at = begin + body.size();
+        auto read = text::annotated<sae::sequence_number>(message.subspan(at));
+        for (auto& part : read.parts)
+            for (auto& field : part.fields) field.path = "sequence_number";
+        add(read, at, "sequence");
     };
     if (of == generation::sae) {
         const auto id = sae::message_id_of(body);

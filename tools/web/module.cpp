@@ -34,11 +34,12 @@ template <class Function> const char* answer_to(std::size_t size, Function funct
     }
 }
 
+/// How frames of a request are read: by a table of RA 3.3.
 jausdump::object_table table_of(const json& request) {
-    return {.table = request.at("table").get<std::string>() == "seed" ? jausdump::translation::seed
-                                                                      : jausdump::translation::self_contained,
-            .index_base = request.at("base").get<std::uint16_t>(),
-            .subsystem = request.value("subsystem", std::uint8_t{})};
+    const json& frames = request.at("frames");
+    return {.table = frames.at("table").get<std::string>() == "seed" ? jausdump::translation::seed
+                                                                     : jausdump::translation::self_contained,
+            .index_base = frames.at("base").get<std::uint16_t>()};
 }
 
 bool is_packet(std::span<const std::byte> bytes) {
@@ -142,14 +143,14 @@ EMSCRIPTEN_KEEPALIVE const char* jauscat_forms(std::size_t size) {
         return page::forms(page::generation_of(request.at("generation")), request.at("code").get<std::uint16_t>());
     });
 }
-/// {"text", "table", "base"}: the messages of pasted text.
+/// {"text", "table", "base", "frames": {"table", "base"}}: the messages of pasted text.
 EMSCRIPTEN_KEEPALIVE const char* jauscat_read(std::size_t size) { return answer_to(size, read_lines); }
 /// {"hex", "generation", "is_payload", "table", "base"}: parts, fields, stages.
 EMSCRIPTEN_KEEPALIVE const char* jauscat_show(std::size_t size) { return answer_to(size, show_message); }
 /// {"generation", "code", "header", "fields"}: the bytes of a message.
 EMSCRIPTEN_KEEPALIVE const char* jauscat_make(std::size_t size) { return answer_to(size, page::made_of); }
 
-/// A capture begins, is read packet by packet, and ends: {"table", "base", "subsystem"}, then {"messages", "skipped"}.
+/// A capture begins, is read packet by packet, and ends: {"frames": {"table", "base"}}, then {"messages", "skipped"}.
 EMSCRIPTEN_KEEPALIVE const char* jauscat_capture_begin(std::size_t size) {
     return answer_to(size, [](const json& request) {
         capture.emplace(table_of(request));

@@ -129,7 +129,7 @@ function ticks_of(data, at, end, little) {
 }
 
 async function read_capture(buffer, name) {
-    jauscat.capture_begin({ ...table_request(), subsystem: 0 });
+    jauscat.capture_begin(table_request());
     let count = 0, problem = "";
     const strange = new Set();
     try {
@@ -218,9 +218,11 @@ function strip_of({ title, facts, hex, parts, key, kind, of, fault }) {
                 "aria-label": `${value}; ${place_of(part.offset, part.size)}: ${own.slice(0, 16).join(" ")}${own.length > 16 ? " …" : ""}`,
                 "data-told": value, "data-at": place_of(part.offset, part.size),
             }, made("span", { class: "label", "aria-hidden": "true" }, label_of(named)),
-                made("span", { class: "octets", "aria-hidden": "true" }, ...own.map(octet))));
+                made("span", { class: "octets", "aria-hidden": "true" }, ...(unused(part, own) ? [made("span", { class: "octet many" }, `${own.length} × 00`)] : own.map(octet)))));
         }
     };
+    // The unused end of a mailbox is not shown byte by byte.
+    const unused = (part, own) => part.fields.length === 0 && key(part) === null && own.length > 8 && own.every(byte => byte === "00");
     append(0, most_octets);
     if (octets.length > most_octets)
         bytes.append(made("button", { type: "button", class: "small more", onclick: event => {
@@ -246,7 +248,7 @@ function tree_of(parts, kind) {
         }
         return branches.get(path);
     };
-    const names = { header: "Header", body: "Fields", sequence: "Sequence number" };
+    const names = { header: "Header", body: "Fields", sequence: "Behind the fields" };
     parts.forEach((part, index) => {
         for (const field of part.fields) {
             let within = branch(part.place, names[part.place] ?? part.place, root, 0, true), path = part.place, depth = 1;
@@ -639,8 +641,9 @@ let selected = -1, marked = null, from_capture = false;
 let shown = null;
 
 const spaced = hex => octets_of(hex).join(" ");
+let ra_table = { table: "seed", base: 6900 }; // the table of RA 3.3 that was chosen last
 function table_request() {
-    return { table: find("#table").value || "seed", base: Number(find("#base").value || 6900) };
+    return { table: find("#table").value || "seed", base: Number(find("#base").value || 6900), frames: ra_table };
 }
 /** What to paste for a message: that of SAE is behind the version of a datagram. */
 function pasted(message) {
@@ -728,13 +731,16 @@ const base_name = base => base === 6900 ? "6900 (1AF4h)" : hex_code(base);
 function fill_tables(generation) {
     const of = jauscat.catalogue.tables.filter(one => (one.table === "sae") === (generation === "sae"));
     const table = find("#table"), names = [...new Set(of.map(one => one.table))];
-    if (!names.includes(table.value)) table.replaceChildren(...names.map(name => made("option", { value: name }, table_names[name])));
-    fill_bases();
+    if (names.includes(table.value)) return fill_bases();
+    table.replaceChildren(...names.map(name => made("option", { value: name }, table_names[name])));
+    if (generation === "ra") table.value = ra_table.table;
+    fill_bases(generation === "ra" ? ra_table.base : "");
 }
 function fill_bases(wanted = find("#base").value) {
     const bases = jauscat.catalogue.tables.filter(one => one.table === find("#table").value).map(one => one.base);
     find("#base").replaceChildren(...bases.map(base => made("option", { value: base }, base_name(base))));
     if (bases.includes(Number(wanted))) find("#base").value = wanted;
+    if (find("#table").value !== "sae") ra_table = { table: find("#table").value, base: Number(find("#base").value) };
 }
 function fill_types() {
     const generation = find("#generation").value;
@@ -878,7 +884,7 @@ function start() {
     find("#form").addEventListener("change", () => soon(read_form));
     find("#form").addEventListener("submit", event => event.preventDefault());
     find("#table").addEventListener("change", () => { fill_bases(); reshow(); });
-    find("#base").addEventListener("change", reshow);
+    find("#base").addEventListener("change", event => { fill_bases(event.target.value); reshow(); });
     document.addEventListener("pointerover", event => light(part_at(event.target)));
     document.addEventListener("focusin", event => light(part_at(event.target)));
     document.addEventListener("focusout", () => light(null));

@@ -181,8 +181,6 @@ class frame_reader {
         if (!header<ethercat::coe_header>("CoE")) return {};
         if (sent == 0) {
             if (!header<ethercat::sdo_normal>("SDO")) return {};
-            mark(parts_, "index", from("ul_index"));
-            mark(parts_, "subindex", from("ul_sub_index"));
             mark(parts_, "header.index", from("ul_index"));
             mark(parts_, "header.subindex", from("ul_sub_index"));
             mark(parts_, "size", from("ul_data_cnt"));
