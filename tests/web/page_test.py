@@ -104,12 +104,22 @@ def vectors(file):
     return [json.loads(line) for line in (data / file).read_text().splitlines()]
 
 
+def packed(stamp):
+    """The integer of a time stamp or a date stamp; None of anything else."""
+    for fields in ({"Milliseconds": 0, "Seconds": 10, "Minutes": 16, "Hour": 22, "Day": 27}, {"Day": 0, "Month": 5, "Year": 9}):
+        if set(stamp) == set(fields):
+            return sum(stamp[name] << bit for name, bit in fields.items())
+    return None
+
+
 def leaves(value):
-    """The values in wire order, those of scaled fields as their integers."""
+    """The values in wire order: of scaled fields their integers, of a variant what it holds."""
     if isinstance(value, dict):
         if "raw" in value:
             return [value["raw"]]
-        return [leaf for inner in value.values() for leaf in leaves(inner)]
+        if packed(value) is not None:
+            return [packed(value)]
+        return [leaf for name, inner in value.items() if name != "index" for leaf in leaves(inner)]
     if isinstance(value, list):
         return [leaf for inner in value for leaf in leaves(inner)]
     return [value]
@@ -506,22 +516,20 @@ def a_form_filled_by_a_message_makes_its_bytes(p):
         return vectors.map(hex => {
             const is_payload = generation === 'sae';
             const shown = jauscat.show({hex, generation, is_payload});
+            if (shown.fields === undefined) return hex; // an acknowledgement without a body
             const message = jauscat.catalogue.messages.find(one => one.generation === generation && one.code === shown.code);
             build_form(message, shown);
             const answer = jauscat.make({generation, code: message.code, header: form.header.get('header'), fields: form.fields.get('fields')});
             return answer.hex ?? JSON.stringify(answer);
         });"""
     for file, generation in (("ra_vectors.jsonl", "ra"), ("sae_vectors.jsonl", "sae")):
-        codes = {}
-        for one in vectors(file):  # the longest two of each message
-            codes.setdefault(one["code"], []).append(one["hex"])
-        lines = [hex for same in codes.values() for hex in sorted(same, key=len)[-2:]]
+        lines = [one["hex"] for one in vectors(file)]
         made = []
-        for at in range(0, len(lines), 50):
-            made += p.run(script, lines[at:at + 50], generation)
+        for at in range(0, len(lines), 100):
+            made += p.run(script, lines[at:at + 100], generation)
         for hex, got in zip(lines, made):
-            if generation == "sae":
-                got = got[26:-4] if got.startswith("02") else got
+            if generation == "sae" and got != hex:  # a datagram: version, header, payload, sequence number
+                got = got[26:-4]
             assert got == hex, (generation, hex, got)
 
 

@@ -205,11 +205,13 @@ function strip_of({ title, facts, hex, parts, key, kind, of, fault }) {
         at = Math.max(at, part.offset + part.size);
     }
     if (at < octets.length) gaps.push({ offset: at, size: octets.length - at, fields: [], place: fault === undefined ? "" : "not decoded" });
+    // The field at fault, and what is not decoded from there on.
+    const is_bad = (part, at) => fault !== undefined && (part.fields.length === 0 ? at >= fault : part.offset <= fault && fault < part.offset + part.size);
     const append = (from, to) => {
         for (const part of gaps) {
             if (part.size === 0 || part.offset < from || part.offset >= to) continue;
             const number = key(part);
-            const octet = (byte, i) => made("span", { class: "octet" + (fault !== undefined && part.offset + i >= fault ? " bad" : "") }, byte);
+            const octet = (byte, i) => made("span", { class: "octet" + (is_bad(part, part.offset + i) ? " bad" : "") }, byte);
             const own = octets.slice(part.offset, part.offset + part.size);
             const named = part.fields.length === 0 && number !== null ? of[number] : part;
             const value = text_of(named) || label_of(part) || "no field";
