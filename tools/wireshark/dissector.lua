@@ -157,7 +157,7 @@ end
 
 function compile_structure(number, prefix)
     local source = structures[number]
-    local made = {number = number, size = source.size, members = {}}
+    local made = {number = number, members = {}}
     for i = 2, #source do
         local member = source[i]
         local abbreviation, title = prefix .. "." .. member[1], title_of(member[1])
@@ -175,6 +175,8 @@ function compile_structure(number, prefix)
             end
         elseif member.flag then
             node = {kind = "flag"}
+        elseif member.constant then
+            node = {kind = "constant", title = title, size = forms[member[2]].bits / 8}
         elseif member.vector then
             local bits = forms[member[2]].bits
             node = {kind = "presence_vector", title = title, size = bits / 8,
@@ -292,6 +294,14 @@ function readers.integer(node, data, tree)
         item:add_proto_expert_info(experts.unknown, ("Unknown: %d has no meaning"):format(value))
     end
     return value
+end
+
+-- Bits without a meaning may have any value.
+function readers.constant(node, data, tree)
+    local value = integer_of(take(data, node.size, tree, node.title))
+    if value ~= node.member.constant and node.name ~= "reserved" then
+        fail(tree, experts.unknown, ("Unknown: %s is %d, not %d"):format(node.title, value, node.member.constant))
+    end
 end
 
 function readers.real(node, data, tree)
@@ -432,19 +442,16 @@ end
 -- Reads a structure, and returns the values that others refer to.
 function read_structure(structure, data, tree, outer)
     local scope = {number = structure.number, values = {}, outer = outer}
-    local vector, count, word, word_value, word_end
-    if structure.size then take(data, structure.size, tree, "Constant") end
+    local vector, count, word, word_value
     for i, node in ipairs(structure.members) do
         local member = node.member
         local present = not member.bit or has_bit(vector, member.bit)
         if node.gate and present then present = look_up(scope, node.gate) end
-        if not member.first then word = nil end
         if member.first then
-            if not word or member.first < word_end then
+            if not word then
                 word = take(data, member.carrier / 8, tree, node.title)
                 word_value = integer_of(word)
             end
-            word_end = member.first + 1
             local value = math.floor(word_value / 2 ^ member.first) % 2 ^ node.width
             if member.carrier <= 32 then
                 tree:add_le(node.field, word)
@@ -452,6 +459,7 @@ function read_structure(structure, data, tree, outer)
                 tree:add(node.field, word, UInt64.new(value % 2 ^ 32, math.floor(value / 2 ^ 32)))
             end
             scope.values[node.name] = value
+            if member.ends then word = nil end
         elseif member.vector then
             vector = read_presence_vector(node, structure.members, i, data, tree, scope)
         elseif present and not member.flag then
@@ -577,8 +585,8 @@ end
 -- Packets that wait for others; per packet that was seen, the frame that completes it or the whole.
 local open_sets, packet_results = {}, {}
 
--- Shows where a packet's message is complete; calls `dissect(tvb, packet)` where that is here.
--- `find_whole(key, packet)` returns the packets of a complete message, in order.
+-- Shows where a packet's message is complete; calls `dissect(bytes, first packet, frames)` where that is here.
+-- `find_whole(key, packet)` adds the packet, and returns those of a complete message, in order.
 local function reassemble(key, packet, pinfo, tree, find_whole, dissect)
     local id = table.concat({pinfo.number, key, packet.number, packet.flag}, " ")
     local result = packet_results[id]
@@ -665,10 +673,10 @@ local function describe_in_columns(pinfo, title, source, destination)
     pinfo.private.jaus_described = "yes" -- of a stream, the column does not tell
 end
 
--- Name and number of an enumerator or bit-field in a value of `header`.
-local ack, nak, requested = 3, 2, 1
+-- Of ack_nak.
+local nak, ack = 2, 3
 
--- A message of RA 3.3, which `range` holds from its header on.
+-- A message of RA 3.3, header first. `whole`: the packets of which it was made. `object`: the EtherCAT object that it is.
 local function dissect_ra_message(tvb, begin, size, pinfo, root, framing, whole, object)
     local tree = root:add(jaus, tvb(begin, size))
     local data = {tvb = tvb, begin = begin, at = begin, limit = begin + size}
@@ -830,7 +838,6 @@ local function dissect_datagram(tvb, pinfo, root)
         return length
     end
     if length >= 15 and tvb(0, 1):uint() == 2 and tvb(1, 1):uint() % 64 == 0 then
-        local source = tvb(9, 4)
         local is_component = tvb(9, 1):uint() % 255 ~= 0 and tvb(10, 1):uint() % 255 ~= 0 and
             tvb(11, 2):le_uint() % 65535 ~= 0
         if is_component then

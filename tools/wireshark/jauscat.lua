@@ -789,9 +789,9 @@ local forms = {
 -- Structures: name, members in wire order.
 local structures = {
 [2]={"address",{"instance",7},{"component",7},{"node",7},{"subsystem",7}},
-[1]={"header",{"priority",1,first=0,carrier=16},{"ack_nak",2,first=4,carrier=16},{"service_connection",3,first=6,carrier=16},{"experimental",3,first=7,carrier=16},{"version",4,first=8,carrier=16},{"reserved",5,first=14,carrier=16},{"command_code",6},{"destination",8},{"source",8},{"data_size",9,first=0,carrier=16},{"data_flag",10,first=12,carrier=16},{"sequence_number",6}},
+[1]={"header",{"priority",1,first=0,carrier=16},{"ack_nak",2,first=4,carrier=16},{"service_connection",3,first=6,carrier=16},{"experimental",3,first=7,carrier=16},{"version",4,first=8,carrier=16},{"reserved",5,first=14,carrier=16,ends=true},{"command_code",6},{"destination",8},{"source",8},{"data_size",9,first=0,carrier=16},{"data_flag",10,first=12,carrier=16,ends=true},{"sequence_number",6}},
 [4]={"jaus_id",{"component",7},{"node",7},{"subsystem",6}},
-[3]={"transport_header",{"message_type",4,first=0,carrier=8},{"compression",11,first=6,carrier=8},{"size",6},{"priority",12,first=0,carrier=8},{"broadcast",13,first=2,carrier=8},{"acknowledgement",2,first=4,carrier=8},{"fragment_flag",14,first=6,carrier=8},{"destination",15},{"source",15}},
+[3]={"transport_header",{"message_type",4,first=0,carrier=8},{"compression",11,first=6,carrier=8,ends=true},{"size",6},{"priority",12,first=0,carrier=8},{"broadcast",13,first=2,carrier=8},{"acknowledgement",2,first=4,carrier=8},{"fragment_flag",14,first=6,carrier=8,ends=true},{"destination",15},{"source",15}},
 [5]={"set_component_authority",{"authority_code",7}},
 [6]={"shutdown"},
 [7]={"standby"},
@@ -806,10 +806,10 @@ local structures = {
 [16]={"terminate_service_connection",{"command_code",6},{"instance_id",7}},
 [17]={"request_component_control",{"authority_code",7}},
 [18]={"release_component_control"},
-[19]={"confirm_component_control",{"response_code",21,first=0,carrier=8}},
+[19]={"confirm_component_control",{"response_code",21,first=0,carrier=8,ends=true}},
 [20]={"reject_component_control"},
-[22]={"time_stamp",{"milliseconds",22,first=0,carrier=32},{"seconds",4,first=10,carrier=32},{"minutes",4,first=16,carrier=32},{"hours",23,first=22,carrier=32},{"day",23,first=27,carrier=32}},
-[23]={"date_stamp",{"day",23,first=0,carrier=16},{"month",1,first=5,carrier=16},{"year",25,first=9,carrier=16}},
+[22]={"time_stamp",{"milliseconds",22,first=0,carrier=32},{"seconds",4,first=10,carrier=32},{"minutes",4,first=16,carrier=32},{"hours",23,first=22,carrier=32},{"day",23,first=27,carrier=32,ends=true}},
+[23]={"date_stamp",{"day",23,first=0,carrier=16},{"month",1,first=5,carrier=16},{"year",25,first=9,carrier=16,ends=true}},
 [21]={"set_time",{"presence_vector",7,vector=2},{"time_stamp",24,bit=0},{"date_stamp",26,bit=1}},
 [26]={"rgb",{"red",7},{"green",7},{"blue",7}},
 [25]={"typed_value",{"data_type",29},{"value",37,tag={25,"data_type"}}},
@@ -995,7 +995,7 @@ local structures = {
 [205]={"confirm_event_request",{"request_id",7},{"event_id",7},{"confirmed_periodic_rate",178}},
 [206]={"reject_event_request",{"presence_vector",7,vector=2},{"request_id",7},{"response_code",180,bit=0},{"error_message",181,bit=1}},
 [207]={"create_command_event",{"request_id",7},{"maximum_allowed_duration",182},{"command_message_size",19,counts=true},{"command_message",179}},
-[209]={"time_stamp",{"milliseconds",22,first=0,carrier=32},{"seconds",4,first=10,carrier=32},{"minutes",4,first=16,carrier=32},{"hour",23,first=22,carrier=32},{"day",23,first=27,carrier=32}},
+[209]={"time_stamp",{"milliseconds",22,first=0,carrier=32},{"seconds",4,first=10,carrier=32},{"minutes",4,first=16,carrier=32},{"hour",23,first=22,carrier=32},{"day",23,first=27,carrier=32,ends=true}},
 [208]={"set_global_pose",{"presence_vector",6,vector=9},{"latitude",183,bit=0},{"longitude",184,bit=1},{"altitude",185,bit=2},{"position_rms",186,bit=3},{"roll",187,bit=4},{"pitch",187,bit=5},{"yaw",187,bit=6},{"attitude_rms",188,bit=7},{"time_stamp",189,bit=8}},
 [210]={"set_wrench_effort",{"presence_vector",6,vector=12},{"propulsive_linear_effort_x",190,bit=0},{"propulsive_linear_effort_y",190,bit=1},{"propulsive_linear_effort_z",190,bit=2},{"propulsive_rotational_effort_x",190,bit=3},{"propulsive_rotational_effort_y",190,bit=4},{"propulsive_rotational_effort_z",190,bit=5},{"resistive_linear_effort_x",191,bit=6},{"resistive_linear_effort_y",191,bit=7},{"resistive_linear_effort_z",191,bit=8},{"resistive_rotational_effort_x",191,bit=9},{"resistive_rotational_effort_y",191,bit=10},{"resistive_rotational_effort_z",191,bit=11}},
 [211]={"set_global_vector",{"presence_vector",7,vector=5},{"speed",192,bit=0},{"altitude",185,bit=1},{"heading",187,bit=2},{"roll",187,bit=3},{"pitch",187,bit=4}},
@@ -1069,7 +1069,7 @@ local structures = {
 [274]={"power_plant_configuration_seq",{"power_plant_id",269},{"power_plant_configuration_var",277}},
 [273]={"set_power_plant_configuration",{"number_of_power_plant_configuration_list",7,counts=true},{"power_plant_configuration_list",279}},
 [281]={"set_parking_brake",{"parking_brake",280}},
-[283]={"illumination",{"headlights",281,first=0,carrier=32},{"left_turn_signal",281,first=1,carrier=32},{"right_turn_signal",281,first=2,carrier=32},{"running_lights",281,first=3,carrier=32},{"brake_lights",281,first=4,carrier=32},{"backup_lights",281,first=5,carrier=32},{"visible_light_source",281,first=6,carrier=32},{"ir_light_source",281,first=7,carrier=32},{"variable_light1",1,first=8,carrier=32},{"variable_light2",1,first=12,carrier=32},{"variable_light3",1,first=16,carrier=32},{"variable_light4",1,first=20,carrier=32},{"high_beams",281,first=24,carrier=32},{"parking_lights",281,first=25,carrier=32},{"fog_lights",281,first=26,carrier=32},{"hazard_lights",281,first=27,carrier=32}},
+[283]={"illumination",{"headlights",281,first=0,carrier=32},{"left_turn_signal",281,first=1,carrier=32},{"right_turn_signal",281,first=2,carrier=32},{"running_lights",281,first=3,carrier=32},{"brake_lights",281,first=4,carrier=32},{"backup_lights",281,first=5,carrier=32},{"visible_light_source",281,first=6,carrier=32},{"ir_light_source",281,first=7,carrier=32},{"variable_light1",1,first=8,carrier=32},{"variable_light2",1,first=12,carrier=32},{"variable_light3",1,first=16,carrier=32},{"variable_light4",1,first=20,carrier=32},{"high_beams",281,first=24,carrier=32},{"parking_lights",281,first=25,carrier=32},{"fog_lights",281,first=26,carrier=32},{"hazard_lights",281,first=27,carrier=32,ends=true}},
 [282]={"set_illumination_state",{"illumination",282}},
 [284]={"reset_odometry",{"odometry_type",283}},
 [286]={"joint_effort_rec",{"joint_effort",263}},
@@ -1119,7 +1119,7 @@ local structures = {
 [330]={"still_image_sensor_configuration_rec",{"presence_vector",7,vector=2},{"sensor_id",6},{"frame_size",358,bit=0},{"still_image_format",368,bit=1}},
 [328]={"set_still_image_sensor_configuration",{"request_id_rec",367},{"number_of_still_image_sensor_list",6,counts=true},{"still_image_sensor_list",370}},
 [332]={"digital_resource_discovery_request_id_rec",{"request_id",7}},
-[334]={"jaus_id",{"component_id",7,first=0,carrier=32},{"node_id",7,first=8,carrier=32},{"subsystem_id",6,first=16,carrier=32}},
+[334]={"jaus_id",{"component_id",7,first=0,carrier=32},{"node_id",7,first=8,carrier=32},{"subsystem_id",6,first=16,carrier=32,ends=true}},
 [333]={"digital_resource_endpoint_rec",{"presence_vector",7,vector=2},{"server_type",372},{"server_url_size",7,counts=true},{"server_url",100},{"jaus_id",373,bit=0},{"resource_id",6,bit=1}},
 [331]={"register_digital_resource_endpoint",{"request_id_rec",371},{"digital_resource_endpoint_rec",374}},
 [335]={"remove_digital_resource_endpoint",{"id",7},{"request_id",7}},
@@ -1352,7 +1352,7 @@ local structures = {
 [555]={"report_power_plant_status",{"number_of_power_plant_status_list",7,counts=true},{"power_plant_status_list",551}},
 [563]={"report_parking_brake",{"commanded_parking_brake",280},{"actual_parking_brake",280}},
 [564]={"report_illumination_state",{"illumination",282}},
-[566]={"types",{"headlights",552,first=0,carrier=32},{"left_turn_signal",552,first=1,carrier=32},{"right_turn_signal",552,first=2,carrier=32},{"running_lights",552,first=3,carrier=32},{"brake_lights",552,first=4,carrier=32},{"backup_lights",552,first=5,carrier=32},{"visible_light_source",552,first=6,carrier=32},{"ir_light_source",552,first=7,carrier=32},{"variable_light1",552,first=8,carrier=32},{"variable_light2",552,first=9,carrier=32},{"variable_light3",552,first=10,carrier=32},{"variable_light4",552,first=11,carrier=32},{"high_beams",552,first=12,carrier=32},{"parking_lights",552,first=13,carrier=32},{"fog_lights",552,first=14,carrier=32},{"hazard_lights",552,first=15,carrier=32}},
+[566]={"types",{"headlights",552,first=0,carrier=32},{"left_turn_signal",552,first=1,carrier=32},{"right_turn_signal",552,first=2,carrier=32},{"running_lights",552,first=3,carrier=32},{"brake_lights",552,first=4,carrier=32},{"backup_lights",552,first=5,carrier=32},{"visible_light_source",552,first=6,carrier=32},{"ir_light_source",552,first=7,carrier=32},{"variable_light1",552,first=8,carrier=32},{"variable_light2",552,first=9,carrier=32},{"variable_light3",552,first=10,carrier=32},{"variable_light4",552,first=11,carrier=32},{"high_beams",552,first=12,carrier=32},{"parking_lights",552,first=13,carrier=32},{"fog_lights",552,first=14,carrier=32},{"hazard_lights",552,first=15,carrier=32,ends=true}},
 [565]={"report_illumination_configuration",{"types",553}},
 [567]={"report_odometry",{"odom",396},{"odometry",554}},
 [569]={"manipulator_coordinate_system_rec",{"manipulator_coordinate_sys_x",300},{"manipulator_coordinate_sys_y",300},{"manipulator_coordinate_sys_z",300},{"d_component_of_unit_quaternion_q",69},{"a_component_of_unit_quaternion_q",69},{"b_component_of_unit_quaternion_q",69},{"c_component_of_unit_quaternion_q",69}},
@@ -1380,13 +1380,13 @@ local structures = {
 [590]={"report_pan_tilt_joint_velocity",{"joint1_velocity",294},{"joint2_velocity",294}},
 [591]={"report_pan_tilt_motion_profile",{"joint1_max_speed",310},{"joint1_max_acceleration_rate",311},{"joint1_max_deceleration_rate",311},{"joint2_max_speed",310},{"joint2_max_acceleration_rate",311},{"joint2_max_deceleration_rate",311}},
 [592]={"report_commanded_pan_tilt_joint_positions",{"joint1_position",287},{"joint2_position",287}},
-[595]={"supported_states",{"active",569,first=0,carrier=8},{"standby",569,first=1,carrier=8},{"off",569,first=2,carrier=8}},
-[596]={"supported_compression",{"no_compression",569,first=0,carrier=8},{"deflate",569,first=1,carrier=8},{"bzip2",569,first=2,carrier=8},{"lzma",569,first=3,carrier=8}},
+[595]={"supported_states",{"active",569,first=0,carrier=8},{"standby",569,first=1,carrier=8},{"off",569,first=2,carrier=8,ends=true}},
+[596]={"supported_compression",{"no_compression",569,first=0,carrier=8},{"deflate",569,first=1,carrier=8},{"bzip2",569,first=2,carrier=8},{"lzma",569,first=3,carrier=8,ends=true}},
 [594]={"range_sensor_capabilities_rec",{"presence_vector",6,vector=11},{"sensor_id",6},{"sensor_name_size",7,counts=true},{"sensor_name",100},{"supported_states",570,bit=0},{"minimum_horizontal_field_of_view_start_angle",336,bit=1},{"maximum_horizontal_field_of_view_stop_angle",336,bit=2},{"minimum_vertical_field_of_view_start_angle",336,bit=3},{"maximum_vertical_field_of_view_stop_angle",336,bit=4},{"miniumum_update_rate",337,bit=5},{"maximum_update_rate",337,bit=6},{"minimum_range",338,bit=7},{"maximum_range",338,bit=8},{"supported_compression",571,bit=9},{"coordinate_transformation_supported",473,bit=10}},
 [593]={"report_range_sensor_capabilities",{"number_of_range_sensor_capabilities_list",6,counts=true},{"range_sensor_capabilities_list",573}},
 [597]={"report_range_sensor_configuration",{"number_of_range_sensor_configuration_list",6,counts=true},{"range_sensor_configuration_list",341}},
 [600]={"range_sensor_data_error_rec",{"sensor_id",6},{"data_error_code",574},{"error_message_size",7,counts=true},{"error_message",100}},
-[603]={"time_stamp",{"milliseconds",22,first=0,carrier=32},{"seconds",4,first=10,carrier=32},{"minutes",4,first=16,carrier=32},{"hour",23,first=22,carrier=32},{"day",23,first=27,carrier=32}},
+[603]={"time_stamp",{"milliseconds",22,first=0,carrier=32},{"seconds",4,first=10,carrier=32},{"minutes",4,first=16,carrier=32},{"hour",23,first=22,carrier=32},{"day",23,first=27,carrier=32,ends=true}},
 [602]={"range_sensor_data_rec",{"sensor_id",6},{"report_coordinate_system",402},{"time_stamp",576}},
 [604]={"range_sensor_data_point_rec",{"presence_vector",7,vector=7},{"point_id",19,bit=0},{"range",338},{"range_validity",473,bit=1},{"range_error_rms",194,bit=2},{"bearing",336},{"bearing_validity",473,bit=3},{"bearing_error_rms",578,bit=4},{"inclination",336},{"inclination_validity",473,bit=5},{"inclination_error_rms",578,bit=6}},
 [601]={"range_sensor_data_seq",{"range_sensor_data_rec",577},{"number_of_range_sensor_data_point_list",6,counts=true},{"range_sensor_data_point_list",580}},
@@ -1395,47 +1395,47 @@ local structures = {
 [607]={"range_sensor_compressed_data_rec",{"sensor_id",6},{"report_coordinate_system",402},{"time_stamp",576},{"data_compression",405},{"compressed_data_size",19,counts=true},{"compressed_data",39}},
 [606]={"range_sensor_compressed_data_variant",{"value",586}},
 [605]={"report_range_sensor_compressed_data",{"number_of_range_sensor_compressed_data_list",6,counts=true},{"range_sensor_compressed_data_list",588}},
-[610]={"no_geometric_properties_variant",size=1},
+[610]={"no_geometric_properties_variant",{"index",7,constant=0}},
 [611]={"static_geometric_properties_rec",{"sensor_position",590},{"unit_quaternion",591}},
 [612]={"manipulator_geometric_properties_rec",{"subsystem_id",6},{"node_id",7},{"component_id",7},{"joint_number",7},{"sensor_position",590},{"unit_quaternion",591}},
 [609]={"geometric_properties_sequence",{"sensor_id_rec",313},{"geometric_properties_variant",594}},
 [608]={"report_sensor_geometric_properties",{"number_of_geometric_properties_list",6,counts=true},{"geometric_properties_list",596}},
-[615]={"zoom_modes",{"mixed",569,first=0,carrier=8},{"analog_only",569,first=1,carrier=8},{"digital_only",569,first=2,carrier=8},{"none",569,first=3,carrier=8}},
-[616]={"focus_modes",{"auto_focus",569,first=0,carrier=8},{"manual_focus",569,first=1,carrier=8}},
-[617]={"report_visual_sensor_capabilities_white_balance",{"auto",569,first=0,carrier=8},{"daylight",569,first=1,carrier=8},{"cloudy",569,first=2,carrier=8},{"shade",569,first=3,carrier=8},{"tungsten",569,first=4,carrier=8},{"flurescent",569,first=5,carrier=8},{"flash",569,first=6,carrier=8}},
-[618]={"report_visual_sensor_capabilities_imaging_modes",{"color",569,first=0,carrier=8},{"greyscale",569,first=1,carrier=8},{"infrared",569,first=2,carrier=8},{"lowlight",569,first=3,carrier=8},{"thermal_white_hot",569,first=4,carrier=8},{"thermal_black_hot",569,first=5,carrier=8},{"thermal_rainbow",569,first=6,carrier=8},{"reserved_for_future_use",600,first=7,carrier=8}},
-[619]={"exposure_modes",{"auto",569,first=0,carrier=8},{"manual",569,first=1,carrier=8},{"shutter_priority",569,first=2,carrier=8},{"aperture_priority",569,first=3,carrier=8}},
-[620]={"metering_modes",{"matrix_or_auto",569,first=0,carrier=8},{"center_weighted",569,first=1,carrier=8},{"spot",569,first=2,carrier=8}},
-[621]={"light_sensitivity_levels",{"auto",569,first=0,carrier=8},{"iso100",569,first=1,carrier=8},{"iso200",569,first=2,carrier=8},{"iso400",569,first=3,carrier=8},{"iso800",569,first=4,carrier=8},{"iso1600",569,first=5,carrier=8},{"iso3200",569,first=6,carrier=8}},
+[615]={"zoom_modes",{"mixed",569,first=0,carrier=8},{"analog_only",569,first=1,carrier=8},{"digital_only",569,first=2,carrier=8},{"none",569,first=3,carrier=8,ends=true}},
+[616]={"focus_modes",{"auto_focus",569,first=0,carrier=8},{"manual_focus",569,first=1,carrier=8,ends=true}},
+[617]={"report_visual_sensor_capabilities_white_balance",{"auto",569,first=0,carrier=8},{"daylight",569,first=1,carrier=8},{"cloudy",569,first=2,carrier=8},{"shade",569,first=3,carrier=8},{"tungsten",569,first=4,carrier=8},{"flurescent",569,first=5,carrier=8},{"flash",569,first=6,carrier=8,ends=true}},
+[618]={"report_visual_sensor_capabilities_imaging_modes",{"color",569,first=0,carrier=8},{"greyscale",569,first=1,carrier=8},{"infrared",569,first=2,carrier=8},{"lowlight",569,first=3,carrier=8},{"thermal_white_hot",569,first=4,carrier=8},{"thermal_black_hot",569,first=5,carrier=8},{"thermal_rainbow",569,first=6,carrier=8},{"reserved_for_future_use",600,first=7,carrier=8,ends=true}},
+[619]={"exposure_modes",{"auto",569,first=0,carrier=8},{"manual",569,first=1,carrier=8},{"shutter_priority",569,first=2,carrier=8},{"aperture_priority",569,first=3,carrier=8,ends=true}},
+[620]={"metering_modes",{"matrix_or_auto",569,first=0,carrier=8},{"center_weighted",569,first=1,carrier=8},{"spot",569,first=2,carrier=8,ends=true}},
+[621]={"light_sensitivity_levels",{"auto",569,first=0,carrier=8},{"iso100",569,first=1,carrier=8},{"iso200",569,first=2,carrier=8},{"iso400",569,first=3,carrier=8},{"iso800",569,first=4,carrier=8},{"iso1600",569,first=5,carrier=8},{"iso3200",569,first=6,carrier=8,ends=true}},
 [614]={"report_visual_sensor_capabilities_visual_sensor_capabilities_rec",{"presence_vector",6,vector=15},{"sensor_id",6},{"sensor_name_size",7,counts=true},{"sensor_name",100},{"supported_states",570,bit=0},{"zoom_modes",597,bit=1},{"focus_modes",598,bit=2},{"white_balance",599,bit=3},{"imaging_modes",601,bit=4},{"exposure_modes",602,bit=5},{"metering_modes",603,bit=6},{"minimum_shutter_speed",351,bit=7},{"maximum_shutter_speed",351,bit=8},{"minimum_aperture",352,bit=9},{"maximum_aperture",352,bit=10},{"minimum_focal_length",345,bit=11},{"maximum_focal_length",345,bit=12},{"light_sensitivity_levels",604,bit=13},{"image_stabilization",473,bit=14}},
 [613]={"report_visual_sensor_capabilities",{"number_of_visual_sensor_capabilities_list",6,counts=true},{"visual_sensor_capabilities_list",606}},
 [622]={"report_visual_sensor_configuration",{"number_of_visual_sensor_configuration_list",6,counts=true},{"visual_sensor_configuration_list",356}},
 [623]={"report_digital_video_sensor_configuration",{"number_of_digital_video_sensor_configuration_list",6,counts=true},{"digital_video_sensor_configuration_list",361}},
-[626]={"report_visual_sensor_capabilities_ext_white_balance",{"auto",569,first=0,carrier=8},{"daylight",569,first=1,carrier=8},{"cloudy",569,first=2,carrier=8},{"shade",569,first=3,carrier=8},{"tungsten",569,first=4,carrier=8},{"flurescent",569,first=5,carrier=8},{"flash",569,first=6,carrier=8}},
-[627]={"report_visual_sensor_capabilities_ext_imaging_modes",{"color",569,first=0,carrier=32},{"greyscale",569,first=1,carrier=32},{"infrared",569,first=2,carrier=32},{"lowlight",569,first=3,carrier=32},{"thermal_white_hot",569,first=4,carrier=32},{"thermal_black_hot",569,first=5,carrier=32},{"thermal_rainbow",569,first=6,carrier=32},{"reserved_for_future_use",608,first=7,carrier=32},{"reserved_for_program_specific_use",609,first=21,carrier=32}},
+[626]={"report_visual_sensor_capabilities_ext_white_balance",{"auto",569,first=0,carrier=8},{"daylight",569,first=1,carrier=8},{"cloudy",569,first=2,carrier=8},{"shade",569,first=3,carrier=8},{"tungsten",569,first=4,carrier=8},{"flurescent",569,first=5,carrier=8},{"flash",569,first=6,carrier=8,ends=true}},
+[627]={"report_visual_sensor_capabilities_ext_imaging_modes",{"color",569,first=0,carrier=32},{"greyscale",569,first=1,carrier=32},{"infrared",569,first=2,carrier=32},{"lowlight",569,first=3,carrier=32},{"thermal_white_hot",569,first=4,carrier=32},{"thermal_black_hot",569,first=5,carrier=32},{"thermal_rainbow",569,first=6,carrier=32},{"reserved_for_future_use",608,first=7,carrier=32},{"reserved_for_program_specific_use",609,first=21,carrier=32,ends=true}},
 [625]={"report_visual_sensor_capabilities_ext_visual_sensor_capabilities_rec",{"presence_vector",19,vector=19},{"sensor_id",6},{"sensor_name_size",7,counts=true},{"sensor_name",100},{"supported_states",570,bit=0},{"zoom_modes",597,bit=1},{"focus_modes",598,bit=2},{"white_balance",607,bit=3},{"imaging_modes",610,bit=4},{"exposure_modes",602,bit=5},{"metering_modes",603,bit=6},{"minimum_shutter_speed",351,bit=7},{"maximum_shutter_speed",351,bit=8},{"minimum_aperture",352,bit=9},{"maximum_aperture",352,bit=10},{"minimum_focal_length",345,bit=11},{"maximum_focal_length",345,bit=12},{"light_sensitivity_levels",604,bit=13},{"image_stabilization",473,bit=14},{"minimum_horizontal_field_of_view",336,bit=15},{"maximum_horizontal_field_of_view",336,bit=16},{"minimum_vertical_field_of_view",336,bit=17},{"maximum_vertical_field_of_view",336,bit=18}},
 [624]={"report_visual_sensor_capabilities_ext",{"number_of_visual_sensor_capabilities_list",6,counts=true},{"visual_sensor_capabilities_list",612}},
 [629]={"report_force_torque_capabilities_rec",{"presence_vector",6,vector=13},{"sensor_id",6},{"sensor_name_size",7,counts=true},{"sensor_name",100},{"coordinate_transform_supported",473,bit=0},{"min_force_x",613,bit=1},{"max_force_x",613,bit=2},{"min_force_y",613,bit=3},{"max_force_y",613,bit=4},{"min_force_z",613,bit=5},{"max_force_z",613,bit=6},{"min_torque_x",614,bit=7},{"max_torque_x",614,bit=8},{"min_torque_y",614,bit=9},{"max_torque_y",614,bit=10},{"min_torque_z",614,bit=11},{"max_torque_z",614,bit=12}},
 [628]={"report_force_torque_capabilities",{"number_of_report_force_torque_capabilities_list",6,counts=true},{"report_force_torque_capabilities_list",616}},
 [631]={"report_force_torque_rec",{"presence_vector",7,vector=6},{"sensor_id",6},{"coordinate_system",420},{"force_x",613,bit=0},{"force_y",613,bit=1},{"force_z",613,bit=2},{"torque_x",614,bit=3},{"torque_y",614,bit=4},{"torque_z",614,bit=5}},
 [630]={"report_force_torque",{"number_of_report_force_torque_list",6,counts=true},{"report_force_torque_list",618}},
-[634]={"supported_analog_formats",{"ntscm",569,first=0,carrier=8},{"ntscj",569,first=1,carrier=8},{"paln",569,first=2,carrier=8},{"palm",569,first=3,carrier=8},{"secaml",569,first=4,carrier=8},{"secambg",569,first=5,carrier=8}},
+[634]={"supported_analog_formats",{"ntscm",569,first=0,carrier=8},{"ntscj",569,first=1,carrier=8},{"paln",569,first=2,carrier=8},{"palm",569,first=3,carrier=8},{"secaml",569,first=4,carrier=8},{"secambg",569,first=5,carrier=8,ends=true}},
 [633]={"analog_video_sensor_capabilities_rec",{"sensor_id",6},{"supported_analog_formats",619}},
 [632]={"report_analog_video_sensor_capabilities",{"number_of_analog_video_sensor_capabilities_list",6,counts=true},{"analog_video_sensor_capabilities_list",621}},
 [635]={"report_analog_video_sensor_configuration",{"number_of_analog_video_sensor_configuration_list",6,counts=true},{"analog_video_sensor_configuration_list",366}},
-[638]={"supported_frame_sizes",{"sqcif_128x96",569,first=0,carrier=32},{"qcif_176x144",569,first=1,carrier=32},{"cif_352x288",569,first=2,carrier=32},{"cif4_704x576",569,first=3,carrier=32},{"cif16_1408x1152",569,first=4,carrier=32},{"qqvga_160x120",569,first=5,carrier=32},{"qvga_320x240",569,first=6,carrier=32},{"vga_640x480",569,first=7,carrier=32},{"svga_800x600",569,first=8,carrier=32},{"xga_1024x768",569,first=9,carrier=32},{"uxga_1600x1200",569,first=10,carrier=32},{"qxga_2048x1536",569,first=11,carrier=32},{"sxga_1280x1024",569,first=12,carrier=32},{"qsxga_2560x2048",569,first=13,carrier=32},{"hsxga_5120x4096",569,first=14,carrier=32},{"wvga_852x480",569,first=15,carrier=32},{"wxga_1366x768",569,first=16,carrier=32},{"wsxga_1600x1024",569,first=17,carrier=32},{"wuxga_1920x1200",569,first=18,carrier=32},{"woxga_2560x1600",569,first=19,carrier=32},{"wqsxga_3200x2048",569,first=20,carrier=32},{"wquxga_3840x2400",569,first=21,carrier=32},{"whsxga_6400x4096",569,first=22,carrier=32},{"whuxga_7680x4800",569,first=23,carrier=32},{"cga_320x200",569,first=24,carrier=32},{"ega_640x350",569,first=25,carrier=32},{"hd480_852x480",569,first=26,carrier=32},{"hd720_1280x720",569,first=27,carrier=32},{"hd1080_1920x1080",569,first=28,carrier=32}},
-[639]={"supported_image_formats",{"jpeg",569,first=0,carrier=16},{"gif",569,first=1,carrier=16},{"png",569,first=2,carrier=16},{"bmp",569,first=3,carrier=16},{"tiff",569,first=4,carrier=16},{"ppm",569,first=5,carrier=16},{"pgm",569,first=6,carrier=16},{"pnm",569,first=7,carrier=16},{"nef_nikon_raw",569,first=8,carrier=16},{"cr2_canon_raw",569,first=9,carrier=16},{"dng_adobe_raw",569,first=10,carrier=16}},
+[638]={"supported_frame_sizes",{"sqcif_128x96",569,first=0,carrier=32},{"qcif_176x144",569,first=1,carrier=32},{"cif_352x288",569,first=2,carrier=32},{"cif4_704x576",569,first=3,carrier=32},{"cif16_1408x1152",569,first=4,carrier=32},{"qqvga_160x120",569,first=5,carrier=32},{"qvga_320x240",569,first=6,carrier=32},{"vga_640x480",569,first=7,carrier=32},{"svga_800x600",569,first=8,carrier=32},{"xga_1024x768",569,first=9,carrier=32},{"uxga_1600x1200",569,first=10,carrier=32},{"qxga_2048x1536",569,first=11,carrier=32},{"sxga_1280x1024",569,first=12,carrier=32},{"qsxga_2560x2048",569,first=13,carrier=32},{"hsxga_5120x4096",569,first=14,carrier=32},{"wvga_852x480",569,first=15,carrier=32},{"wxga_1366x768",569,first=16,carrier=32},{"wsxga_1600x1024",569,first=17,carrier=32},{"wuxga_1920x1200",569,first=18,carrier=32},{"woxga_2560x1600",569,first=19,carrier=32},{"wqsxga_3200x2048",569,first=20,carrier=32},{"wquxga_3840x2400",569,first=21,carrier=32},{"whsxga_6400x4096",569,first=22,carrier=32},{"whuxga_7680x4800",569,first=23,carrier=32},{"cga_320x200",569,first=24,carrier=32},{"ega_640x350",569,first=25,carrier=32},{"hd480_852x480",569,first=26,carrier=32},{"hd720_1280x720",569,first=27,carrier=32},{"hd1080_1920x1080",569,first=28,carrier=32,ends=true}},
+[639]={"supported_image_formats",{"jpeg",569,first=0,carrier=16},{"gif",569,first=1,carrier=16},{"png",569,first=2,carrier=16},{"bmp",569,first=3,carrier=16},{"tiff",569,first=4,carrier=16},{"ppm",569,first=5,carrier=16},{"pgm",569,first=6,carrier=16},{"pnm",569,first=7,carrier=16},{"nef_nikon_raw",569,first=8,carrier=16},{"cr2_canon_raw",569,first=9,carrier=16},{"dng_adobe_raw",569,first=10,carrier=16,ends=true}},
 [637]={"still_image_sensor_capabilities_rec",{"presence_vector",7,vector=2},{"sensor_id",6},{"supported_frame_sizes",622,bit=0},{"supported_image_formats",623,bit=1}},
 [636]={"report_still_image_sensor_capabilities",{"number_of_still_image_sensor_list",6,counts=true},{"still_image_sensor_list",625}},
 [640]={"report_still_image_sensor_configuration",{"number_of_still_image_sensor_configuration_list",6,counts=true},{"still_image_sensor_configuration_list",370}},
 [641]={"report_digital_resource_endpoint",{"number_of_digital_resource_endpoint_list",7,counts=true},{"digital_resource_endpoint_list",626}},
 [642]={"report_digital_audio_output_source",{"number_of_digital_audio_output_source_list",6,counts=true},{"digital_audio_output_source_list",379}},
-[645]={"digital_audio_output_supported_digital_formats",{"lpcm_pcm",552,first=0,carrier=32},{"aiff",552,first=1,carrier=32},{"wav",552,first=2,carrier=32},{"alac",552,first=3,carrier=32},{"flac",552,first=4,carrier=32},{"real_audio",552,first=5,carrier=32},{"wma9_lossless",552,first=6,carrier=32},{"true_audio",552,first=7,carrier=32},{"dolby_digital",552,first=8,carrier=32},{"dts",552,first=9,carrier=32},{"mp2",552,first=10,carrier=32},{"mp3",552,first=11,carrier=32},{"aac_mpeg2",552,first=12,carrier=32},{"aac_mpeg4",552,first=13,carrier=32},{"vorbis",552,first=14,carrier=32},{"wma",552,first=15,carrier=32},{"speex",552,first=16,carrier=32}},
-[646]={"supported_bit_depths",{"eight_bits",552,first=0,carrier=16},{"ten_bits",552,first=1,carrier=16},{"twelve_bits",552,first=2,carrier=16},{"fourteen_bits",552,first=3,carrier=16},{"sixteen_bits",552,first=4,carrier=16},{"twenty_bits",552,first=5,carrier=16},{"twenty_four_bits",552,first=6,carrier=16},{"thirty_two_bits",552,first=7,carrier=16}},
+[645]={"digital_audio_output_supported_digital_formats",{"lpcm_pcm",552,first=0,carrier=32},{"aiff",552,first=1,carrier=32},{"wav",552,first=2,carrier=32},{"alac",552,first=3,carrier=32},{"flac",552,first=4,carrier=32},{"real_audio",552,first=5,carrier=32},{"wma9_lossless",552,first=6,carrier=32},{"true_audio",552,first=7,carrier=32},{"dolby_digital",552,first=8,carrier=32},{"dts",552,first=9,carrier=32},{"mp2",552,first=10,carrier=32},{"mp3",552,first=11,carrier=32},{"aac_mpeg2",552,first=12,carrier=32},{"aac_mpeg4",552,first=13,carrier=32},{"vorbis",552,first=14,carrier=32},{"wma",552,first=15,carrier=32},{"speex",552,first=16,carrier=32,ends=true}},
+[646]={"supported_bit_depths",{"eight_bits",552,first=0,carrier=16},{"ten_bits",552,first=1,carrier=16},{"twelve_bits",552,first=2,carrier=16},{"fourteen_bits",552,first=3,carrier=16},{"sixteen_bits",552,first=4,carrier=16},{"twenty_bits",552,first=5,carrier=16},{"twenty_four_bits",552,first=6,carrier=16},{"thirty_two_bits",552,first=7,carrier=16,ends=true}},
 [644]={"digital_audio_output_capabilities_rec",{"presence_vector",7,vector=6},{"sensor_id",6},{"minimum_allowed_bit_rate",6,bit=0},{"maximum_allowed_bit_rate",6,bit=1},{"supported_digital_formats",627,bit=2},{"min_sample_rate",19,bit=3},{"max_sample_rate",19,bit=4},{"supported_bit_depths",628,bit=5}},
 [643]={"report_digital_audio_output_capabilities",{"number_of_digital_audio_output_capabilities_list",6,counts=true},{"digital_audio_output_capabilities_list",630}},
 [647]={"report_video_illuminator_configuration",{"number_of_illumination_rec_list",6,counts=true},{"illumination_rec_list",384}},
-[651]={"supported_illumination_modes",{"visible",552,first=0,carrier=32},{"infrared",552,first=1,carrier=32},{"grey_scale",552,first=2,carrier=32},{"low_light",552,first=3,carrier=32},{"reserved_for_future_use",631,first=4,carrier=32},{"reserved_for_program_or_implementation_specific_use",632,first=21,carrier=32}},
+[651]={"supported_illumination_modes",{"visible",552,first=0,carrier=32},{"infrared",552,first=1,carrier=32},{"grey_scale",552,first=2,carrier=32},{"low_light",552,first=3,carrier=32},{"reserved_for_future_use",631,first=4,carrier=32},{"reserved_for_program_or_implementation_specific_use",632,first=21,carrier=32,ends=true}},
 [650]={"illuminator_capabilities_rec",{"presence_vector",7,vector=6},{"illuminator_id",6},{"illuminator_name_size",7,counts=true},{"illuminator_name",100},{"supported_illumination_modes",633},{"minimum_intensity",634,bit=0},{"maximum_intensity",634,bit=1},{"minimum_supported_beam_width",382,bit=2},{"maximum_supported_beam_width",382,bit=3},{"minimum_supported_beam_height",382,bit=4},{"maximum_supported_beam_height",382,bit=5}},
 [652]={"video_illuminator_sensor_id_rec",{"sensor_id",6}},
 [649]={"illuminator_capabilities_seq",{"illuminator_capabilities_rec",635},{"number_of_sensor_id_list",7,counts=true},{"sensor_id_list",637}},
@@ -1443,7 +1443,7 @@ local structures = {
 [655]={"image_frame",{"format",368},{"data_size",19,counts=true},{"data",39}},
 [654]={"still_image_data_rec",{"presence_vector",7,vector=3},{"sensor_id",6},{"report_coordinate_system",402},{"time_stamp",576,bit=0},{"image_frame",640,bit=1},{"still_image_uri_size",7,counts=true,bit=2},{"still_image_uri",100,bit=2}},
 [653]={"report_still_image_data_ext",{"number_of_still_image_data_list",6,counts=true},{"still_image_data_list",642}},
-[658]={"digital_video_supported_digital_formats",{"avi",569,first=0,carrier=8},{"mjpeg",569,first=1,carrier=8},{"mpeg2",569,first=2,carrier=8},{"h263",569,first=3,carrier=8},{"h263plus",569,first=4,carrier=8},{"mpeg4_visual",569,first=5,carrier=8},{"mpeg4_avc_h264",569,first=6,carrier=8}},
+[658]={"digital_video_supported_digital_formats",{"avi",569,first=0,carrier=8},{"mjpeg",569,first=1,carrier=8},{"mpeg2",569,first=2,carrier=8},{"h263",569,first=3,carrier=8},{"h263plus",569,first=4,carrier=8},{"mpeg4_visual",569,first=5,carrier=8},{"mpeg4_avc_h264",569,first=6,carrier=8,ends=true}},
 [657]={"digital_video_sensor_capabilities_rec",{"presence_vector",7,vector=7},{"sensor_id",6},{"minimum_bit_rate",6,bit=0},{"maximum_bit_rate",6,bit=1},{"minimum_frame_rate",7,bit=2},{"maximum_frame_rate",7,bit=3},{"supported_frame_sizes",622,bit=4},{"supported_digital_formats",643,bit=5},{"recording_supported",644,bit=6}},
 [656]={"report_digital_video_sensor_capabilities_ext",{"number_of_digital_video_sensor_list",6,counts=true},{"digital_video_sensor_list",646}},
 [660]={"digital_video_sensor_status_rec",{"sensor_id",6},{"streaming_state",362},{"recording_state",375}},
@@ -2092,7 +2092,7 @@ end
 
 function compile_structure(number, prefix)
     local source = structures[number]
-    local made = {number = number, size = source.size, members = {}}
+    local made = {number = number, members = {}}
     for i = 2, #source do
         local member = source[i]
         local abbreviation, title = prefix .. "." .. member[1], title_of(member[1])
@@ -2110,6 +2110,8 @@ function compile_structure(number, prefix)
             end
         elseif member.flag then
             node = {kind = "flag"}
+        elseif member.constant then
+            node = {kind = "constant", title = title, size = forms[member[2]].bits / 8}
         elseif member.vector then
             local bits = forms[member[2]].bits
             node = {kind = "presence_vector", title = title, size = bits / 8,
@@ -2227,6 +2229,14 @@ function readers.integer(node, data, tree)
         item:add_proto_expert_info(experts.unknown, ("Unknown: %d has no meaning"):format(value))
     end
     return value
+end
+
+-- Bits without a meaning may have any value.
+function readers.constant(node, data, tree)
+    local value = integer_of(take(data, node.size, tree, node.title))
+    if value ~= node.member.constant and node.name ~= "reserved" then
+        fail(tree, experts.unknown, ("Unknown: %s is %d, not %d"):format(node.title, value, node.member.constant))
+    end
 end
 
 function readers.real(node, data, tree)
@@ -2367,19 +2377,16 @@ end
 -- Reads a structure, and returns the values that others refer to.
 function read_structure(structure, data, tree, outer)
     local scope = {number = structure.number, values = {}, outer = outer}
-    local vector, count, word, word_value, word_end
-    if structure.size then take(data, structure.size, tree, "Constant") end
+    local vector, count, word, word_value
     for i, node in ipairs(structure.members) do
         local member = node.member
         local present = not member.bit or has_bit(vector, member.bit)
         if node.gate and present then present = look_up(scope, node.gate) end
-        if not member.first then word = nil end
         if member.first then
-            if not word or member.first < word_end then
+            if not word then
                 word = take(data, member.carrier / 8, tree, node.title)
                 word_value = integer_of(word)
             end
-            word_end = member.first + 1
             local value = math.floor(word_value / 2 ^ member.first) % 2 ^ node.width
             if member.carrier <= 32 then
                 tree:add_le(node.field, word)
@@ -2387,6 +2394,7 @@ function read_structure(structure, data, tree, outer)
                 tree:add(node.field, word, UInt64.new(value % 2 ^ 32, math.floor(value / 2 ^ 32)))
             end
             scope.values[node.name] = value
+            if member.ends then word = nil end
         elseif member.vector then
             vector = read_presence_vector(node, structure.members, i, data, tree, scope)
         elseif present and not member.flag then
@@ -2512,8 +2520,8 @@ end
 -- Packets that wait for others; per packet that was seen, the frame that completes it or the whole.
 local open_sets, packet_results = {}, {}
 
--- Shows where a packet's message is complete; calls `dissect(tvb, packet)` where that is here.
--- `find_whole(key, packet)` returns the packets of a complete message, in order.
+-- Shows where a packet's message is complete; calls `dissect(bytes, first packet, frames)` where that is here.
+-- `find_whole(key, packet)` adds the packet, and returns those of a complete message, in order.
 local function reassemble(key, packet, pinfo, tree, find_whole, dissect)
     local id = table.concat({pinfo.number, key, packet.number, packet.flag}, " ")
     local result = packet_results[id]
@@ -2600,10 +2608,10 @@ local function describe_in_columns(pinfo, title, source, destination)
     pinfo.private.jaus_described = "yes" -- of a stream, the column does not tell
 end
 
--- Name and number of an enumerator or bit-field in a value of `header`.
-local ack, nak, requested = 3, 2, 1
+-- Of ack_nak.
+local nak, ack = 2, 3
 
--- A message of RA 3.3, which `range` holds from its header on.
+-- A message of RA 3.3, header first. `whole`: the packets of which it was made. `object`: the EtherCAT object that it is.
 local function dissect_ra_message(tvb, begin, size, pinfo, root, framing, whole, object)
     local tree = root:add(jaus, tvb(begin, size))
     local data = {tvb = tvb, begin = begin, at = begin, limit = begin + size}
@@ -2765,7 +2773,6 @@ local function dissect_datagram(tvb, pinfo, root)
         return length
     end
     if length >= 15 and tvb(0, 1):uint() == 2 and tvb(1, 1):uint() % 64 == 0 then
-        local source = tvb(9, 4)
         local is_component = tvb(9, 1):uint() % 255 ~= 0 and tvb(10, 1):uint() % 255 ~= 0 and
             tvb(11, 2):le_uint() % 65535 ~= 0
         if is_component then

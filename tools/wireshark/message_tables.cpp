@@ -80,19 +80,15 @@ class numbered_lines {
 
 class table_writer {
   public:
-    /// The number of a structure. `before` bytes of it are no members.
-    std::size_t structure(const text::structure& type, std::size_t before = 0) {
+    /// The number of a structure. Its first `skipped` members are read before it is.
+    std::size_t structure(const text::structure& type, std::size_t skipped = 0) {
         const auto [found, is_new] = structures_.try_emplace(type.id, structures_.size() + 1);
         if (!is_new) return found->second;
         const std::size_t number = found->second;
         std::string line = "[" + std::to_string(number) + "]={" + quoted(type.name);
-        for (const text::member& one : type.members)
+        for (const text::member& one : type.members.subspan(skipped))
             if (one.what != role::not_on_wire) line += ",{" + member(one) + "}";
-        // Without members it is a constant.
-        const std::size_t constants = type.members.empty() ? type.least - before : 0;
-        if (constants != 0) line += ",size=" + std::to_string(constants);
         structure_lines_ += line + "},\n";
-        require_size(type, before + constants);
         return number;
     }
 
@@ -187,28 +183,14 @@ class table_writer {
             line += ",vector=" + std::to_string(one.used_bits) + (one.tolerant ? ",tolerant=true" : "");
         if (one.what == role::flag) line += ",flag=true";
         if (one.what == role::count) line += ",counts=true";
+        if (one.what == role::constant) line += ",constant=" + std::to_string(one.number(nullptr));
         if (one.presence_bit) line += ",bit=" + std::to_string(*one.presence_bit);
         if (one.carrier_bits != 0)
-            line += ",first=" + std::to_string(one.first_bit) + ",carrier=" + std::to_string(one.carrier_bits);
+            line += ",first=" + std::to_string(one.first_bit) + ",carrier=" + std::to_string(one.carrier_bits) +
+                    (one.ends_carrier ? ",ends=true" : "");
         line += reference("gate", one.gate) + reference("counter", one.counter) + reference("tag", one.tag);
         if (one.counter_excess != 0) line += ",excess=" + std::to_string(one.counter_excess);
         return line;
-    }
-
-    /// What the tables cannot say, such as a constant in the middle, would shift all members behind it.
-    static void require_size(const text::structure& type, std::size_t before) {
-        std::size_t least = before;
-        unsigned end = 0;
-        for (const text::member& one : type.members) {
-            if (one.carrier_bits != 0 && one.first_bit < end) end = 0;
-            if (one.carrier_bits != 0 && end == 0) least += one.carrier_bits / 8;
-            end = one.carrier_bits != 0 ? one.first_bit + 1 : 0;
-            const bool may_be_absent = one.optional || one.presence_bit || !one.gate.name.empty();
-            if (!may_be_absent) least += one.least;
-        }
-        if (least != type.least)
-            throw std::runtime_error{std::string{type.name} + ": its members take " + std::to_string(least) +
-                                     " bytes or more, its schema says " + std::to_string(type.least)};
     }
 
     numbered_lines names_{}, forms_{};
@@ -223,7 +205,7 @@ std::string messages(table_writer& tables, const char* name, const catalogue::li
     for (const catalogue::entry& one : all) {
         made += "[" + code_text(one.command_code()) + "]={" + quoted(one.name()) + "," +
                 quoted(is_sae ? sae_title(one.name()) : text::message_name(one.command_code())) + "," +
-                std::to_string(tables.structure(one.fields(), is_sae ? 2 : 0));
+                std::to_string(tables.structure(one.fields(), is_sae ? 1 : 0)); // the message ID
         if (one.query() != 0) made += ",query=" + code_text(one.query());
         if (one.report() != 0) made += ",report=" + code_text(one.report());
         made += "},\n";
