@@ -60,8 +60,8 @@ std::string section(const sae_message& one, const sae_set& set) {
 
 std::string sae_page(const sae_set& set) {
     std::string made = std::string{made_by} + "# " + set.title + "\n\nMessages of " + code(set.schemas) +
-                       "; [README.md](README.md) explains the pages.\n\n" + service_table(set, "");
-    for (const auto& one : set.messages) made += "\n" + section(one, set);
+                       "; [README.md](README.md) explains the pages.\n\n" + service_table(set, "") + "\n";
+    for (const auto& one : set.messages) made += section(one, set);
     while (made.ends_with("\n\n")) made.pop_back();
     return made;
 }

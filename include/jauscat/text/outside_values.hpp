@@ -47,7 +47,7 @@ class value_set_walk {
     }
     void held(const variant_form& is, const void* at, const scope& here, const std::string& name) {
         const alternative& one = is.alternatives[is.index(at)];
-        if (one.how != nullptr) value(*one.how, is.get(at), here, name + "." + std::string{one.name});
+        if (one.how != nullptr) value(*one.how, is.get(at), here, name);
     }
     void held(const list_form& is, const void* at, const scope& here, const std::string& name) {
         const auto* element = static_cast<const std::byte*>(is.first(at));
