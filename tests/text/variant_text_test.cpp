@@ -46,8 +46,8 @@ TEST_CASE("annotate names the constant, the variant's index and its fields") {
 TEST_CASE("annotate accepts a value outside its value set") {
     auto in = encoded_variant;
     in[13] = std::byte{7};
-    CHECK(text::annotate<mobility::report_gps_fix>(in).find("gps_status_var.gps_validity = 0x07\n") !=
-          std::string::npos);
+    CHECK(text::annotate<mobility::report_gps_fix>(in).find(
+              "gps_status_var.gps_validity = 0x07 (outside its values)\n") != std::string::npos);
     CHECK(text::to_text(wire::diagnose<mobility::report_gps_fix>(in)) ==
           "outside value set: the standard does not define this value: gps_status_var.gps_validity at byte 13");
 }
