@@ -221,3 +221,18 @@ TEST_CASE("a whole message is annotated with its header; what is not known is sh
     CHECK(catalogue::ra_3_3().annotate(std::span{*made}.first(5)).find("truncated") != std::string::npos);
     CHECK(!catalogue::ra_3_3().annotate({}).empty());
 }
+
+TEST_CASE("an entry says which bytes each field of a body has") {
+    const auto& effort = of("set_wrench_effort");
+    const auto parts = effort.annotated(from_hex("41 00 00 40 20")).parts;
+    REQUIRE(parts.size() == 3);
+    CHECK(parts[1].offset == 2);
+    CHECK(parts[1].size == 2);
+    REQUIRE(parts[1].fields.size() == 1);
+    CHECK(parts[1].fields[0].path == "propulsive_linear_effort_x");
+    CHECK(parts[1].fields[0].value == "50.001526 % (raw 16384)");
+    CHECK(parts[2].offset == 4);
+    const auto cut = effort.annotated(from_hex("41 00 00"));
+    CHECK(cut.parts.empty());
+    CHECK(cut.fault.error == wire::errc::truncated);
+}

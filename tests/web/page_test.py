@@ -125,6 +125,13 @@ def leaves(value):
     return [value]
 
 
+def raws(value):
+    """The integers of all scaled fields."""
+    if isinstance(value, dict):
+        return [value["raw"]] if "raw" in value else [raw for inner in value.values() for raw in raws(inner)]
+    return [raw for inner in value for raw in raws(inner)] if isinstance(value, list) else []
+
+
 def lit(p):
     """The fields that are lit, by place: the paths of leaves of the tree, and the bytes of each strip."""
     return p.run("""
@@ -185,6 +192,8 @@ def a_message_passes_every_mapping_table_and_comes_back(p):
             if generation == "sae" and stage != shown["packet"]["hex"]:
                 continue  # frames are read by the tables of RA 3.3
             wanted = message[2:] if generation == "sae" else message
+            if one["table"] == "seed" and stage != shown["packet"]["hex"]:
+                wanted = message[:14] + "00" + message[16:]  # the subsystem is not on the wire
             p.until(lambda: p.run("return input.messages[0]?.bytes") == wanted, f"{one}: {stage}")
     p.open("hex=" + wrench + "&table=self-contained")
     p.picture("stages")
@@ -306,11 +315,11 @@ def a_message_is_built_from_its_form(p):
     # A list, and a value in a form that a type selects.
     box.clear()
     box.send_keys("Set Joint Efforts", Keys.TAB)
-    add = "//button[text()='Add to joint_effort']"
+    add = "//button[text()='Add to joint']"
     p.until(lambda: p.driver.find_elements(By.XPATH, add))
     p.driver.find_element(By.XPATH, add).click()
     p.driver.find_element(By.XPATH, add).click()
-    p.until(lambda: len(p.run("return shown.fields.joint ?? shown.fields.joint_effort ?? []")) == 2, json.dumps(p.run("return shown.fields")))
+    p.until(lambda: len(p.run("return shown.fields.joint ?? []")) == 2, json.dumps(p.run("return shown.fields")))
     # SAE alike.
     Select(p.find("#generation")).select_by_value("sae")
     box.send_keys("RequestControl", Keys.TAB)
@@ -364,7 +373,7 @@ def dark_and_light_schemes_have_contrast(p):
         p.open("hex=" + wrench[:-4])
         backgrounds.append(p.run("return getComputedStyle(document.documentElement).backgroundColor"))
         for selector in ("h1", ".top p", "#text", ".help", "#fault", ".facts", ".part .label", ".octet", ".leaf .name", ".leaf .at", "footer p",
-                         ".part.code .octet", ".part.node .octet", ".part.body-1 .octet", ".readout", ".tabs button[aria-selected=false]"):
+                         ".part.code .octet", ".part.node .octet", ".part.body-0 .octet", ".readout", ".tabs button[aria-selected=false]"):
             ratio = contrast(p, selector)
             assert ratio >= 4.5, (scheme, selector, ratio)
         p.open("hex=" + wrench)
@@ -412,7 +421,7 @@ def everything_can_be_done_by_the_keyboard(p):
     p.keys(Keys.END)
     p.until(lambda: lit(p)["tree"] == ["resistive_linear_effort_x"], lit(p))
     p.keys(Keys.ENTER)
-    assert "field=resistive_linear_effort_x" in p.driver.current_url
+    p.until(lambda: "field=resistive_linear_effort_x" in p.driver.current_url)
     tab_to("[role=treeitem]")
     p.keys(Keys.ARROW_LEFT)  # closes the header
     assert p.run("return document.activeElement.getAttribute('aria-expanded')") == "false"
@@ -495,8 +504,8 @@ def every_golden_message_of_ra_3_3_has_its_known_values(p):
         assert one["presence_vector"] == vector["presence_vector"], vector
         numbers = [leaf for leaf in leaves(vector["fields"]) if isinstance(leaf, int)]
         ours = leaves(one["fields"])
-        for number in numbers:
-            assert "interface_type_codes" in vector or number in ours, (vector, one)
+        for number in numbers:  # those beyond 2^53 as text, which JavaScript keeps
+            assert "interface_type_codes" in vector or number in ours or str(number) in ours, (number, vector, one)
 
 
 @test
@@ -504,8 +513,8 @@ def every_golden_message_of_sae_has_its_known_values(p):
     p.open()
     for vector, one in checked_golden(p, "sae_vectors.jsonl", "sae", ["--sae"]):
         ours = leaves(one["fields"])
-        for number in leaves(vector["fields"]):
-            assert not isinstance(number, int) or number in ours, (vector, one)
+        for number in raws(vector["fields"]):
+            assert number in ours, (number, vector, one)
 
 
 @test

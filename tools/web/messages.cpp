@@ -8,6 +8,7 @@
 #include <jauscat/sae/transport/message.hpp>
 #include <jauscat/schema/sae/message_id.hpp>
 #include <jauscat/text/jaus.hpp>
+#include <jauscat/wire/diagnose.hpp>
 
 namespace page {
 
@@ -76,6 +77,31 @@ json sae_message(const json& given, std::uint16_t number, std::span<const std::b
     return {{"hex", text::detail::plain_hex(out)}};
 }
 
+/// The value with integers that JavaScript would round as text.
+json exact(json value) {
+    constexpr std::int64_t most = std::int64_t{1} << 53U;
+    if (value.is_structured())
+        for (json& inner : value) inner = exact(std::move(inner));
+    else if (value.is_number_unsigned()
+                 ? value.get<std::uint64_t>() > std::uint64_t{most}
+                 : value.is_number_integer() && (value.get<std::int64_t>() > most || value.get<std::int64_t>() < -most))
+        return value.dump();
+    return value;
+}
+
+/// The parts of a body before the one that does not decode.
+std::vector<text::annotated_part> parts_before(const catalogue::entry& type, std::span<const std::byte> body,
+                                               const wire::diagnosis& why) {
+    constexpr std::size_t most = 0xFFFF;
+    if (why.error == wire::errc::trailing_bytes) return type.annotated(body.first(why.offset)).parts;
+    std::vector<std::byte> filled{body.begin(), body.end()}; // with zeros, so that it decodes
+    for (auto lack = why; lack.error == wire::errc::truncated && filled.size() < most; lack = type.diagnose(filled))
+        filled.resize(filled.size() + std::max<std::size_t>(lack.needed - lack.available, 1));
+    auto parts = type.annotated(filled).parts;
+    std::erase_if(parts, [&](const auto& part) { return part.offset + part.size > why.offset; });
+    return parts;
+}
+
 } // namespace
 
 json all_messages() {
@@ -123,17 +149,17 @@ json made_of(const json& request) {
 
 json taken_apart(std::span<const std::byte> message, generation of, bool is_payload) {
     json told{{"parts", json::array()}, {"generation", of == generation::sae ? "sae" : "ra"}};
-    const auto add = [&](const text::annotation& read, std::size_t offset, const char* place) {
+    const auto add = [&](const std::vector<text::annotated_part>& read, std::size_t offset, const char* place) {
         append_parts(told["parts"], read, offset, place);
     };
     std::span<const std::byte> body;
     std::size_t begin = 0;
     std::uint16_t code{};
     if (of == generation::ra) {
-        const auto read = text::annotated<jaus::header>(message);
-        add(read, 0, "header");
+        add(parts_of<jaus::header>(message), 0, "header");
         jaus::header head{};
-        if (!wire::decode_prefix(head, message)) return told["error"] = error_of(read.fault, 0), told;
+        if (!wire::decode_prefix(head, message))
+            return told["error"] = error_of(wire::diagnose<jaus::header>(message), 0), told;
         told["header"] = text::to_json(head);
         code = head.command_code;
         begin = jaus::header_size;
@@ -149,19 +175,17 @@ json taken_apart(std::span<const std::byte> message, generation of, bool is_payl
         const auto split = sae::split(message);
         const std::size_t more = split.header.compression == sae::compression::none ? 0 : 2;
         if (message.size() < sae::transport_header_size + more) {
-            const auto read = text::annotated<sae::transport_header>(message);
-            add(read, 0, "header");
-            told["error"] = error_of(read.fault, 0);
+            told["error"] = error_of(wire::diagnose<sae::transport_header>(message), 0);
             return told;
         }
         std::vector<std::byte> plain{message.begin(), message.end()};
         plain.erase(plain.begin() + 3, plain.begin() + 3 + static_cast<std::ptrdiff_t>(more));
         json header = json::array();
-        append_parts(header, text::annotated<sae::transport_header>(plain), 0, "header");
+        append_parts(header, parts_of<sae::transport_header>(plain), 0, "header");
         for (json& part : header) {
             const auto offset = part.at("offset").get<std::size_t>();
             if (offset == 3 && more != 0) // between size and properties
-                add(text::annotated<sae::compression_fields>(message.subspan(3)), 3, "header");
+                add(parts_of<sae::compression_fields>(message.subspan(3)), 3, "header");
             if (offset >= 3) part["offset"] = offset + more;
             told["parts"].push_back(std::move(part));
         }
@@ -178,8 +202,8 @@ json taken_apart(std::span<const std::byte> message, generation of, bool is_payl
     const auto end = [&] {
         if (of == generation::ra || is_payload) return;
         const std::size_t at = begin + body.size();
-        auto read = text::annotated<sae::sequence_number>(message.subspan(at));
-        for (auto& part : read.parts)
+        auto read = parts_of<sae::sequence_number>(message.subspan(at));
+        for (auto& part : read)
             for (auto& field : part.fields) field.path = "sequence_number";
         add(read, at, "sequence");
     };
@@ -193,12 +217,13 @@ json taken_apart(std::span<const std::byte> message, generation of, bool is_payl
     if (type == nullptr) return end(), told;
     told["name"] = name_of(*type, of);
     told["type"] = std::string{type->name()};
-    add(type->annotated(body), begin, "body");
     const auto decoded = type->decode(body);
+    const auto parts = type->annotated(body).parts;
+    add(parts.empty() && !decoded ? parts_before(*type, body, decoded.error()) : parts, begin, "body");
     if (!decoded && !told.contains("error")) told["error"] = error_of(decoded.error(), begin);
     if (decoded) {
         told["presence_vector"] = catalogue::presence_vector_of(*decoded);
-        told["fields"] = catalogue::to_json(*decoded);
+        told["fields"] = exact(catalogue::to_json(*decoded));
         if (const auto again = decoded->encode()) told["body"] = text::detail::plain_hex(*again);
     }
     end();

@@ -349,7 +349,7 @@ function show_stages(container, message, shown) {
     if (again.error) return last.append(wrong(again.error));
     const same = again.hex === message.bytes;
     last.append(strip_of({ title: "Message again", facts: "what the slave makes of the object, by the same rows", hex: again.hex, parts: shown.parts.map((part, from) => ({ ...part, from })), key, kind, of: shown.parts }),
-        made("p", { class: same ? "same" : "wrong", "data-same": same }, same ? "The same, byte for byte." : "Not the same bytes."));
+        made("p", { class: same ? "same" : "wrong", "data-same": String(same) }, same ? "The same, byte for byte." : "Not the same bytes."));
 }
 
 // ---- The form of a message
@@ -363,7 +363,7 @@ const makers = {
     list(form, name, scope) {
         const items = made("div"), parts = [];
         const add = value => {
-            const control = control_of(form.element, `[${parts.length}]`, scope);
+            const control = control_of(form.element, `${name}[${parts.length}]`, scope);
             const row = made("div", { class: "item" }, control.element);
             if (form.least !== form.most) row.append(made("button", { type: "button", class: "small", "aria-label": `Remove element of ${name}`, onclick: () => { parts.splice(parts.indexOf(part), 1); row.remove(); changed(items); } }, "Remove"));
             const part = { control, row };

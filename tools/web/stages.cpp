@@ -205,7 +205,7 @@ class frame_reader {
     }
     template <class Header> bool header(Header& head, const char* place) {
         if (!wire::decode_prefix(head, frame_.subspan(at_))) return false;
-        append_parts(parts_, text::annotated<Header>(frame_.subspan(at_)), at_, place);
+        append_parts(parts_, parts_of<Header>(frame_.subspan(at_)), at_, place);
         at_ += wire::max_size<Header>;
         return true;
     }
@@ -294,7 +294,7 @@ template <class Table> json stages_by(std::span<const std::byte> message, const 
     if (!packet) return {{"error", error_of(translate::diagnose_to_packet<Table>(packet.error(), message))}};
 
     json told, packet_parts = json::array(), data = json::array();
-    append_parts(packet_parts, text::annotated<packet_type>(*packet), 0, "packet");
+    append_parts(packet_parts, parts_of<packet_type>(*packet), 0, "packet");
     mark_rows<Table>(packet_parts, parts);
     append_data<Table>(data, parts, 0, message.size());
     const json fields = packet_parts;
@@ -326,8 +326,9 @@ template <class Table> json stages_by(std::span<const std::byte> message, const 
 
 } // namespace
 
-void append_parts(json& to, const text::annotation& read, std::size_t first_offset, const std::string& place) {
-    for (const auto& part : read.parts) {
+void append_parts(json& to, const std::vector<text::annotated_part>& parts, std::size_t first_offset,
+                  const std::string& place) {
+    for (const auto& part : parts) {
         if (part.size == 0 && part.fields.empty()) continue;
         json fields = json::array();
         for (const auto& field : part.fields) fields.push_back({{"path", field.path}, {"value", field.value}});

@@ -2,6 +2,7 @@
 #pragma once
 #include "web/form.hpp"
 #include <jauscat/text/annotate.hpp>
+#include <jauscat/wire/decode.hpp>
 
 #include <cstdint>
 #include <span>
@@ -14,7 +15,14 @@ enum class generation : std::uint8_t { ra, sae };
 inline generation generation_of(const std::string& text) { return text == "sae" ? generation::sae : generation::ra; }
 
 /// Adds {"offset", "size", "place", "fields": [{"path", "value"}]} for each part.
-void append_parts(json& to, const jauscat::text::annotation& read, std::size_t first_offset, const std::string& place);
+void append_parts(json& to, const std::vector<jauscat::text::annotated_part>& parts, std::size_t first_offset,
+                  const std::string& place);
+/// The parts of a `T` at the front of `bytes`; none where these are too few.
+template <class T> std::vector<jauscat::text::annotated_part> parts_of(std::span<const std::byte> bytes) {
+    T value{};
+    if (!jauscat::wire::decode_prefix(value, bytes)) return {};
+    return jauscat::text::annotated(jauscat::text::describe<T>(), &value, bytes).parts;
+}
 
 /// The tables of a generation: [{"table", "base", "name"}].
 json tables();
