@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cerrno>
+#include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -10,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <unistd.h>
+#include <vector>
 
 class line_source {
   public:
@@ -57,5 +60,8 @@ class script_lines final : public line_source {
     bool at_end_{};
 };
 
-/// Line editing and history; only one at a time.
-std::unique_ptr<line_source> terminal_lines(const std::string& prompt);
+/// The words that may stand in place of the last one of a line, which may be begun.
+using line_completer = std::function<std::vector<std::string>(std::string_view line)>;
+/// Line editing, completion by Tab, and history, which is kept in a file unless its name is empty; only one at a time.
+std::unique_ptr<line_source> terminal_lines(const std::string& prompt, line_completer completer,
+                                            std::filesystem::path history);

@@ -1,4 +1,5 @@
 // The interactive node: shows the messages that arrive, and sends any message by its name or code.
+#include "completion.hpp"
 #include "line_source.hpp"
 #include "support/component_of.hpp"
 #include "support/known_messages.hpp"
@@ -40,6 +41,9 @@ A message with an unknown code, such as a private one (D000h to FFFFh), is sent 
 option JAUSCAT_PRIVATE_MESSAGES=HEADER the messages of a header have names and fields here; docs/catalogue.md says how.
 Private messages that are known are acknowledged; other commands are refused, for nothing here obeys them.
 
+On a terminal, Tab completes commands, systems, messages, fields and names of values, and the history is kept in
+~/.local/state/jauscat/communicator (or below $XDG_STATE_HOME).
+
 It is the first component that the configuration lists for its node, or else component 32.
 Exit code: 0; 1 if the node cannot be started, or if in a script a line was wrong or a message was refused or not
 answered; 2 for a wrong command line.
@@ -55,6 +59,7 @@ constexpr const char* commands =
   wait SECONDS                          wait before the next line
   help                                  this text
   exit                                  end the program; also q and quit
+On a terminal, Tab completes commands, systems, messages and fields.
 )";
 
 using boost::system::error_code;
@@ -381,6 +386,17 @@ class communicator {
     jauscat::component unit_;
 };
 
+/// Where the history of a user is; empty without a home.
+std::filesystem::path history_file() {
+    const auto folder = [](const char* variable, const char* below) {
+        const char* const value = std::getenv(variable);
+        return value == nullptr || *value == '\0' ? std::filesystem::path{} : std::filesystem::path{value} / below;
+    };
+    auto found = folder("XDG_STATE_HOME", "jauscat");
+    if (found.empty()) found = folder("HOME", ".local/state/jauscat");
+    return found.empty() ? found : found / "communicator";
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -411,8 +427,13 @@ int main(int argc, char** argv) {
                                   .open = values.count("open") != 0,
                                   .reuse_address = values.count("reuse") != 0};
         const bool by_hand = ::isatty(STDIN_FILENO) != 0;
-        communicator node{example::load_config(values), std::move(how), !values["unacknowledged"].as<bool>(),
-                          by_hand ? terminal_lines("> ") : std::make_unique<script_lines>()};
+        const auto config = example::load_config(values);
+        std::vector<std::string> systems;
+        for (const auto& system : config.systems) systems.push_back(system.name);
+        communicator node{config, std::move(how), !values["unacknowledged"].as<bool>(),
+                          by_hand ? terminal_lines(
+                                        "> ", [&](auto line) { return completions(line, systems); }, history_file())
+                                  : std::make_unique<script_lines>()};
         return node.run() || by_hand ? example::success : example::failure;
     });
 }
