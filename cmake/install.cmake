@@ -71,3 +71,11 @@ foreach(tool communicator jausdump jauscat_ecat jauscat_esi jauscat_jsidl)
         install(TARGETS ${tool} RUNTIME COMPONENT tools)
     endif()
 endforeach()
+
+# The component "python": the folder is that of Debian's Python.
+if(TARGET jauscat_python)
+    set(JAUSCAT_PYTHON_FOLDER lib/python3/dist-packages CACHE STRING "Folder below the prefix for Python packages")
+    install(TARGETS jauscat_python LIBRARY DESTINATION ${JAUSCAT_PYTHON_FOLDER}/jauscat COMPONENT python)
+    install(FILES python/jauscat/__init__.py python/jauscat/__init__.pyi python/jauscat/py.typed
+            DESTINATION ${JAUSCAT_PYTHON_FOLDER}/jauscat COMPONENT python)
+endif()

@@ -37,7 +37,7 @@ boost_packages() {
 need_to_build() {
     need g++ cmake ninja-build catch2 python3 libpugixml-dev libpcap-dev libedit-dev nlohmann-json3-dev $(boost_packages)
 }
-need_to_test() { need_to_build && need iproute2 libxml2-utils pkgconf python3-clang tshark; }
+need_to_test() { need_to_build && need iproute2 libxml2-utils pkgconf python3-clang tshark pybind11-dev python3-dev python3-pytest; }
 need_for_docs() { need doxygen python3; }
 need_for_site() { need_for_docs && need graphviz plantuml mkdocs mkdocs-material python3-pygments; }
 need_for_firmware() { need gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm; }
