@@ -219,8 +219,9 @@ TEST_CASE("a large data set waits for none to another node, and all share the pa
 }
 
 TEST_CASE("a large report that waits is replaced by the next one, and a command is not") {
-    for (const std::uint16_t code : {std::uint16_t{0x4D04}, std::uint16_t{0xD111}}) {
+    for (const std::uint16_t code : std::initializer_list<std::uint16_t>{0x3FFF, 0x4000, 0x5FFF, 0x6000, 0xD111}) {
         CAPTURE(code);
+        const bool is_report = code == 0x4000 || code == 0x5FFF;
         large_data_queue queue{std::size_t{1} << 20U, {}};
         auto plain = head;
         plain.command_code = code;
@@ -236,12 +237,12 @@ TEST_CASE("a large report that waits is replaced by the next one, and a command 
                           },
                           {});
         }
-        CHECK(queue.size() == (code == 0xD111 ? 9 : 1));
+        CHECK(queue.size() == (is_report ? 1 : 9));
         now += 501ms;
         queue.on_time(now, [&](std::span<const std::byte> packet) { firsts.push_back(jaus::split(packet).body[0]); },
                       {});
         REQUIRE(firsts.size() >= 2);
-        CHECK(firsts[1] == (code == 0xD111 ? std::byte{1} : std::byte{9}));
+        CHECK(firsts[1] == (is_report ? std::byte{9} : std::byte{1}));
     }
 }
 
@@ -296,6 +297,38 @@ TEST_CASE("a large data set that is refused ends at the first NAK") {
     refused.run(20s);
     REQUIRE(refused.outcomes == std::vector{jaus::delivered::refused});
     REQUIRE(refused.now < instant{100ms});
+}
+
+TEST_CASE("no packet of a large data set is sent after a NAK of one of them") {
+    large_data_queue queue{std::size_t{1} << 20U, {}};
+    std::vector<std::uint16_t> sent;
+    std::vector<jaus::delivered> outcomes;
+    jauscat::time_point now{};
+    const auto pass = [&] {
+        now += 1ms;
+        queue.on_time(
+            now, [&](std::span<const std::byte> packet) { sent.push_back(jaus::split(packet).header.sequence_number); },
+            [&](const jaus::header&, jaus::delivered what) { outcomes.push_back(what); });
+    };
+    const auto answer = [&](std::uint16_t number, jaus::ack_nak how) {
+        REQUIRE(queue.on_acknowledgement({.ack_nak = how,
+                                          .command_code = head.command_code,
+                                          .destination = head.source,
+                                          .source = head.destination,
+                                          .sequence_number = number},
+                                         now));
+    };
+    REQUIRE(queue.push(head, image(20 * jaus::max_body_size, 1)) == jaus::errc::ok);
+    pass();
+    REQUIRE(sent == std::vector<std::uint16_t>{0});
+    answer(0, jaus::ack_nak::ack);
+    pass();
+    REQUIRE(sent.size() == 5);
+    answer(1, jaus::ack_nak::nak);
+    pass();
+    CHECK(sent.size() == 5);
+    CHECK(outcomes == std::vector{jaus::delivered::refused});
+    CHECK(queue.size() == 0);
 }
 
 TEST_CASE("a data set without acknowledgement, or for a broadcast address, is sent once") {

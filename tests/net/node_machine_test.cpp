@@ -47,6 +47,35 @@ TEST_CASE("two nodes without sockets discover each other, exchange commands and 
     REQUIRE_FALSE(p.robot.core.control().controller());
 }
 
+TEST_CASE("a node sends periodic events of its component's status at their rate") {
+    simulated_pair p;
+    auto& now = p.network.now;
+    unsigned events = 0;
+    p.ocu.heard = [&](const jaus::header& head, std::span<const std::byte>) {
+        events += head.command_code == jaus::command_code_of<jaus::event>;
+    };
+    REQUIRE(p.ocu.node.send({.destination = p.robot.self, .source = p.ocu.self},
+                            jaus::create_event{.message_code = jaus::command_code_of<jaus::report_component_status>,
+                                               .event_type = jaus::event_type::periodic,
+                                               .requested_periodic_rate = 20.0},
+                            now));
+    p.network.run(now + 1s);
+    CHECK(events >= 19);
+}
+
+TEST_CASE("a component is taken away only while its node is stopped") {
+    simulated_pair p;
+    REQUIRE_THROWS_AS(p.robot.node.remove(p.robot.self), std::logic_error);
+    p.robot.node.stop();
+    p.robot.node.remove(p.robot.self);
+    p.robot.node.start(p.network.now);
+    p.network.run(p.network.now + 1s);
+    REQUIRE(p.ocu.node.send({.command_code = 0xD111, .destination = p.robot.self, .source = p.ocu.self},
+                            std::span<const std::byte>{}, p.network.now));
+    p.network.run(p.network.now + 1s);
+    CHECK(p.robot.large.empty());
+}
+
 TEST_CASE("a node without sockets paces large data sets, and sends nothing while it is stopped") {
     simulated_pair p;
     auto& now = p.network.now;
@@ -180,7 +209,7 @@ TEST_CASE("a packet of a large data set that waited for long does not become par
     REQUIRE(p.robot.large == std::vector<bytes>{bytes(4, std::byte{3})});
 }
 
-TEST_CASE("a large data set that is not numbered from 0 is dropped, with the reason in the log") {
+TEST_CASE("a large data set that is not whole is dropped, with the reason in the log") {
     simulated_pair p;
     jaus::header head{
         .service_connection = true, .command_code = 0x4805, .destination = p.robot.self, .source = p.ocu.self};
@@ -191,9 +220,26 @@ TEST_CASE("a large data set that is not numbered from 0 is dropped, with the rea
         const auto made = jaus::join(head, std::array{std::byte{1}, std::byte{2}}, packet);
         REQUIRE(p.robot.node.on_datagram(*made, p.ocu.at, {}, false, p.network.now, {}) == net::verdict::accepted);
     };
-    arrives(jaus::data_flag::first, 17);
-    arrives(jaus::data_flag::last, 18);
-    p.network.run(p.network.now + 10s, [&] { return p.robot.logged("is dropped after 2 packets"); });
-    CHECK(p.robot.logged("its packet 0 has not come, the first was 17; a set is numbered from 0"));
+    const auto is_dropped = [&] {
+        return p.network.run(p.network.now + 10s, [&] { return p.robot.logged("is dropped after 2 packets"); });
+    };
+    SECTION("its numbers do not begin at 0") {
+        arrives(jaus::data_flag::first, 17);
+        arrives(jaus::data_flag::last, 18);
+        REQUIRE(is_dropped());
+        CHECK(p.robot.logged("its packet 0 has not come, the first was 17; a set is numbered from 0"));
+    }
+    SECTION("packets before its last one are missing") {
+        arrives(jaus::data_flag::first, 0);
+        arrives(jaus::data_flag::last, 4);
+        REQUIRE(is_dropped());
+        CHECK(p.robot.logged(": 3 of it have not come"));
+    }
+    SECTION("its last packet is missing") {
+        arrives(jaus::data_flag::first, 0);
+        arrives(jaus::data_flag::middle, 1);
+        REQUIRE(is_dropped());
+        CHECK(p.robot.logged("its last packet has not come, or another set follows"));
+    }
     CHECK(p.robot.large.empty());
 }
