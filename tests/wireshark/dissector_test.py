@@ -38,7 +38,7 @@ class Cases:
 
     def recorded_messages(self):
         self.same(os.path.join(self.data, "jaus_ra.pcap"), 1746)
-        self.same(os.path.join(self.data, "sae_management.pcap"), 19)
+        self.same(os.path.join(self.data, "sae_management.pcap"), 21)
 
     def golden_messages_of_ra(self):
         self.same(self.made("ra_vectors", captures.udp(captures.ra_datagrams(self.ra))), 1255)

@@ -35,10 +35,10 @@ void take_line(char* line) {
 
 /// The library frees what these return. It asks for one word after the other, from `state` 0 on.
 char* next_completion(const char* /*word*/, int state) {
-    static std::vector<std::string> words;
-    if (state == 0) words = complete(std::string_view{rl_line_buffer, static_cast<std::size_t>(rl_point)});
+    static std::vector<std::string> found;
+    if (state == 0) found = complete(std::string_view{rl_line_buffer, static_cast<std::size_t>(rl_point)});
     const auto at = static_cast<std::size_t>(state);
-    return at < words.size() ? ::strdup(words[at].c_str()) : nullptr;
+    return at < found.size() ? ::strdup(found[at].c_str()) : nullptr;
 }
 char** all_completions(const char* word, int /*start*/, int /*end*/) {
     rl_attempted_completion_over = 1; // no names of files

@@ -35,11 +35,13 @@ bool is_payload(std::span<const std::byte> bytes) {
 capture::capture(const jausdump::object_table& table)
     : dump_{options_for([this](const auto& message) { add(message); })},
       ring_{table,
-            {.message = [this](auto message, const auto& from) { dump_.on_object(message, from); },
+            {.message =
+                 [this, is_sae = table.table == jausdump::translation::sae](auto message, const auto& from) {
+                     is_sae ? dump_.on_sae_messages(message, from) : dump_.on_object(message, from);
+                 },
              .unreadable = [this](auto data, auto error,
                                   const auto& from) { dump_.on_unreadable_object(data, error, from); },
-             .refused = [this](const auto& head, const auto& why,
-                               const auto& from) { dump_.on_refused(head, why, from); },
+             .refused = [this](jausdump::record message) { dump_.on_refused(std::move(message)); },
              .lost = [this] { ++skipped_["incomplete SDO transfer of a message"]; },
              .skipped = [this](const std::string& reason) { ++skipped_[reason]; }}},
       streams_{{.message = [this](const auto& message, auto part,
