@@ -110,7 +110,7 @@ def test_values_may_be_any_number_of_python():
 
 def test_an_enumeration_is_encoded_by_name_and_by_number():
     known = jauscat.message("set_emergency")
-    assert known.encode({"emergency_code": "transition_to_emergency"}) == known.encode({"emergency_code": 0})
+    assert known.encode({"emergency_code": "transition_to_emergency"}) == known.encode({"emergency_code": 1})
 
 
 def test_what_does_not_decode_says_field_and_byte():

@@ -53,6 +53,7 @@ class terminal final : public line_source {
         rl_catch_signals = 0;
         rl_initialize();
         rl_attempted_completion_function = &all_completions;
+        rl_basic_word_break_characters = breaks; // what libedit looks at
         rl_completer_word_break_characters = breaks;
         rl_completion_append_character = '\0';
         prompt_text = prompt;

@@ -499,7 +499,7 @@ function simple_control(form, name) {
             controls.set(path, control);
             if (form.kind === "boolean") return control.checked ? "1" : "0";
             if (raw !== null) return raw;
-            return control.value === "" && form.kind !== "text" && form.kind !== "bytes" ? undefined : control.value;
+            return control.value === "" && !["text", "bytes", "message"].includes(form.kind) ? undefined : control.value;
         },
         set(value) {
             raw = null;
@@ -582,7 +582,9 @@ function derived_members(type, found = new Set()) {
         [form.element, ...(form.cases ?? []).map(one => one.form), ...(form.alternatives ?? []).map(one => one.form)].forEach(visit);
     };
     for (const member of type.members) {
-        for (const reference of [member.counter, member.gate]) if (reference) found.add(`${reference.owner}.${reference.name}`);
+        // Where a list may be absent, its count does not follow from it.
+        const counter = member.optional && !member.gate ? null : member.counter;
+        for (const reference of [counter, member.gate]) if (reference) found.add(`${reference.owner}.${reference.name}`);
         visit(member.form);
     }
     return found;
