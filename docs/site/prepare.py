@@ -30,8 +30,8 @@ for name, source in generate.pictures(root):
     write(pages / "pictures" / f"{name}.dot", source)
 for path in sorted((root / "docs/model").glob("*.puml")):
     write(pages / "pictures" / path.name, path.read_text(encoding="utf-8"))
-for path in [*root.glob("docs/*.svg"), *root.glob("docs/messages/**/*.svg"), root / "docs/site/site.css"]:
-    copy = pages / (path.relative_to(root) if path.suffix == ".svg" else path.name)
+for path in [*root.glob("docs/*.svg"), *root.glob("docs/*.png"), *root.glob("docs/messages/**/*.svg"), root / "docs/site/site.css"]:
+    copy = pages / (path.relative_to(root) if path.suffix in (".svg", ".png") else path.name)
     copy.parent.mkdir(parents=True, exist_ok=True)
     shutil.copy(path, copy)
 
