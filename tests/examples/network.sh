@@ -122,6 +122,7 @@ a_bridge_carries() { # bridge
 two_drives_are_axes() { # two_axes
     "$bin/emulated_drives" >"$work/arm.log" 2>&1 &
     arm=$!
+    until grep -q "six drives" "$work/arm.log"; do sleep 0.05; done # else the first line says that no slave receives
     start ", -0." "$bin/two_axes" udp:127.0.0.1 # there and back; the second axis comes a cycle later
     head -n 1 "$work/server.log" | grep -qE '^(1|0\.99|1\.00)[0-9]*, 0\.(5|49|48)[0-9]*$' || fail "an axis is not there"
     kill -INT "$server" && wait "$server" || fail "two_axes ends with $?"
