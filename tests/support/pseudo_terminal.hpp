@@ -61,8 +61,8 @@ inline void join(boost::asio::posix::stream_descriptor& a, boost::asio::posix::s
                 });
         }
     };
-    way::pass(std::make_shared<way>(a, b));
-    way::pass(std::make_shared<way>(b, a));
+    way::pass(std::shared_ptr<way>{new way{a, b}});
+    way::pass(std::shared_ptr<way>{new way{b, a}});
 }
 
 } // namespace support

@@ -84,7 +84,7 @@ class config_reader {
         source_.attempt([&] {
             if (const auto child = source_.only_child(node, "multicast")) made.multicast = multicast(child, made, {});
         });
-        source_.attempt([&] {
+        source_.attempt([&, &ip = ip, &port = port] { // clang 14 captures no structured binding
             if (const auto child = source_.only_child(node, "sae"))
                 made.sae = config_sae(source_, child, ip, port,
                                       [&](pugi::xml_node group) { return multicast(group, made, judp_multicast()); });
