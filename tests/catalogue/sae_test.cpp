@@ -157,13 +157,23 @@ TEST_CASE("every golden message of SAE that is cut is refused, and the reason is
     SUCCEED();
 }
 
+#if defined(__has_feature)
+#    if __has_feature(address_sanitizer)
+constexpr bool is_sanitized = true; // 25 times slower
+#    else
+constexpr bool is_sanitized = false;
+#    endif
+#else
+constexpr bool is_sanitized = false;
+#endif
+
 TEST_CASE("every golden message of SAE with one changed byte is an error or another message that comes back") {
     std::size_t errors = 0, messages = 0, outsiders = 0;
     for (const auto& [type, payload] : golden()) {
         auto changed = payload;
         for (std::size_t at = 0; at != payload.size(); ++at) {
             // Every other value of each byte; of a long message only some. Counts beyond the end are among these.
-            const unsigned step = payload.size() <= 16 ? 1 : 37;
+            const unsigned step = (payload.size() <= 16 ? 1 : 37) * (is_sanitized ? 7 : 1);
             for (unsigned change = 1; change < 256; change += step) {
                 changed[at] = payload[at] ^ static_cast<std::byte>(change);
                 const auto message = type->decode(changed, wire::tolerate_values);
@@ -177,18 +187,21 @@ TEST_CASE("every golden message of SAE with one changed byte is an error or anot
                 const auto other = type->decode(*bytes, wire::tolerate_values);
                 if (!other || *other->encode(wire::tolerate_values) != *bytes)
                     FAIL(type->name() << ": the message does not come back: " << to_hex(changed));
+                const bool is_outside = message->encode().error() == wire::errc::outside_value_set;
+                if (!is_outside && change != 1) continue;
                 const auto outside = message->outside_values();
-                outsiders += outside.empty() ? 0 : 1;
-                if ((message->encode().error() == wire::errc::outside_value_set) == outside.empty())
+                if (is_outside == outside.empty())
                     FAIL(type->name() << ": outside_values and encode disagree: " << to_hex(changed));
-                const auto strict = outside.empty() ? wire::diagnosis{} : type->decode(changed).error();
-                if (!outside.empty() && text::field_path(strict) != outside.front())
+                if (!is_outside) continue;
+                ++outsiders;
+                const auto strict = type->decode(changed).error();
+                if (text::field_path(strict) != outside.front())
                     FAIL(type->name() << ": " << text::field_path(strict) << " is not " << outside.front());
             }
             changed[at] = payload[at];
         }
     }
-    CHECK(errors > 10'000);
-    CHECK(messages > 100'000);
-    CHECK(outsiders > 1'000);
+    CHECK(errors > (is_sanitized ? 1'000 : 10'000));
+    CHECK(messages > (is_sanitized ? 10'000 : 100'000));
+    CHECK(outsiders > (is_sanitized ? 100 : 1'000));
 }
