@@ -1,5 +1,6 @@
-// Walks over a message part by part and tells a trace of each part: what `diagnose` builds on. The walks
-// know the order of an item's parts; each value is read and written by the item's own get and put, which know no trace.
+// Walks over a message part by part and tells a trace of each part: what `diagnose` and the fuzz targets build on. The
+// walks know the order of an item's parts; each value is read and written by the item's own get and put, which know no
+// trace.
 #pragma once
 #include <jauscat/wire/array.hpp>
 #include <jauscat/wire/bit_fields.hpp>
@@ -93,6 +94,15 @@ class decode_trace : public path_trace {
     }
     constexpr void advance(std::size_t size) noexcept { offset_ += size; }
 
+    /// Called behind an item without parts and behind a presence vector with its items; behind an element that is a
+    /// single value; and behind a number of `Size` bytes that is no member: a presence vector, a count.
+    template <class Item> constexpr void passed(const auto&) noexcept {}
+    template <class Item> constexpr void passed_element(const auto&) noexcept {}
+    template <std::size_t Size> constexpr void passed_number(std::string_view, std::uint64_t) noexcept {}
+
+  protected:
+    [[nodiscard]] constexpr std::size_t offset() const noexcept { return offset_; }
+
   private:
     std::span<const std::byte> bytes_;
     errc wanted_;
@@ -150,6 +160,7 @@ template <class Item> struct walk_over_whole {
             if (end.error() != errc::ok) return trace.fail(end.error());
             trace.advance(static_cast<std::size_t>(end.at - start.at));
         }
+        trace.template passed<Item>(object);
         return pass_values<Item>(object, trace);
     }
     static constexpr bool put(const auto& object, auto& trace, [[maybe_unused]] const auto& here) {
@@ -247,6 +258,7 @@ constexpr bool walk_get_elements(std::size_t size, auto& scratch, auto& trace, c
             if (!trace.reach(trace.innermost(), used::size)) return false;
             if (!trace.passes(used::load(trace.at(), scratch))) return false;
             trace.advance(used::size);
+            trace.template passed_element<Item>(scratch);
             if (!pass_value<typename Item::element_type::codec_type>(scratch, trace)) return false;
         }
     }
@@ -296,6 +308,7 @@ template <class Count> constexpr bool walk_get_count(std::size_t& elements, auto
     if (!Count::get(elements, c, here)) return trace.fail(c.error());
     if constexpr (Count::prefix_size != 0) {
         trace.advance(Count::prefix_size);
+        trace.template passed_number<Count::prefix_size>(item_label<Count>(), elements);
     }
     return pass_value<Count>(elements, trace);
 }
@@ -363,12 +376,14 @@ struct walk_over<presence_group<Unknown, Carrier, Items...>> {
         if (!trace.reach(presence_vector, Carrier::size)) return false;
         const mask_type mask = item::loaded(trace.at());
         trace.advance(Carrier::size);
+        trace.template passed_number<Carrier::size>(presence_vector, mask);
         const bool unknown = (mask & ~item::known_bits) != 0;
         if (Unknown == unknown_bits::refused && unknown && !trace.passes(errc::unknown_presence_bit)) return false;
         item::set_flags(object, mask);
         std::size_t at = 0;
         if (!(get_if_present<Items>(object, mask, at, trace, here) && ...)) return false;
         if (Unknown == unknown_bits::tolerated && unknown) trace.advance(trace.remaining());
+        trace.template passed<item>(object);
         return true;
     }
     static constexpr bool put(const auto& object, auto& trace, const auto& here) {
@@ -416,6 +431,7 @@ template <auto Member, class Selector, class... Cases> struct walk_over<selected
                 const in_cursor start{trace.at(), trace.remaining() - item::min_size};
                 if (!trace.passes(item::get(object, start, here).error())) return;
                 trace.advance(case_form<form>::max_size);
+                trace.template passed<item>(object);
                 done = true;
             }
         });
@@ -456,6 +472,7 @@ template <auto Member, class Count> struct walk_over<counted_run<Member, Count>>
         if (!walk_get_count<Count>(size, trace, here) || !trace.reach(item::name(), size)) return false;
         item::get(object, in_cursor{first, remaining - item::min_size}, here);
         trace.advance(size);
+        trace.template passed<item>(object);
         return true;
     }
     static constexpr bool put(const auto& object, auto& trace, const auto& here) {
@@ -478,6 +495,7 @@ template <auto Member, class Tag> struct walk_over<variant<Member, Tag>> {
         bool done = false;
         const bool known = alternatives::with(index, [&]<std::size_t I, class Alternative>() {
             trace.advance(Tag::size);
+            trace.template passed_number<Tag::size>(index_name, index);
             [[maybe_unused]] auto& value = emplace_in(member_of<Member>(object)).template emplace<I>();
             if constexpr (message<Alternative>)
                 done = walk_get_message<Alternative>(value, trace, root_of(here));
@@ -514,6 +532,7 @@ template <auto Member, class Count> struct walk_over<embedded<Member, Count>> {
         if (!walk_get_count<Count>(size, trace, here) || !trace.reach(item::name(), size)) return false;
         emplace_in(member_of<Member>(object)) = embedded_message{std::span{trace.at(), size}};
         trace.advance(size);
+        trace.template passed<item>(object);
         return true;
     }
     // A longer embedded message, which no packet carries, is not put: its own diagnose explains why it does not encode.
