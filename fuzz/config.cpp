@@ -64,22 +64,45 @@ void write_slave(pugi::xml_node node, const net::slave_entry& slave) {
     }
 }
 
+void write_group(pugi::xml_node into, const std::optional<net::multicast_options>& group) {
+    if (!group) return;
+    auto child = into.append_child("multicast");
+    set(child, "group", group->group.to_string().c_str());
+    set(child, "port", static_cast<unsigned>(group->port));
+    set(child, "ttl", static_cast<unsigned>(group->ttl));
+    set(child, "interface", group->interface_name.c_str());
+    set(child, "loop", group->loop ? "yes" : "no");
+}
+
+void write_sae(pugi::xml_node node, const net::sae_entry& sae) {
+    std::ostringstream id;
+    id << sae.id.subsystem << '.' << int{sae.id.node} << '.' << int{sae.id.component};
+    set(node, "id", id.str().c_str());
+    if (sae.judp) write_group(node.append_child("judp"), sae.judp->group);
+    if (sae.jtcp) {
+        auto child = node.append_child("jtcp");
+        if (sae.jtcp->listen) set(child, "listen", static_cast<unsigned>(*sae.jtcp->listen));
+        std::string names;
+        for (const auto& name : sae.jtcp->connect) names += name + ' ';
+        if (!names.empty()) set(child, "connect", names.c_str());
+    }
+    if (sae.jserial) {
+        auto child = node.append_child("jserial");
+        set(child, "device", sae.jserial->device.c_str());
+        set(child, "baud", sae.jserial->baud);
+    }
+}
+
 void write_system(pugi::xml_node node, const net::system_entry& entry) {
     set(node, "name", entry.name.c_str());
-    set(node, "jausip", net::to_jausip(entry.jausip).c_str());
-    set(node, "ip", entry.ip.to_string().c_str());
-    set(node, "port", static_cast<unsigned>(entry.port));
+    if (entry.has_ra) set(node, "jausip", net::to_jausip(entry.jausip).c_str());
+    if (entry.has_ra || !entry.ip.is_unspecified()) set(node, "ip", entry.ip.to_string().c_str());
+    if (entry.port != 0) set(node, "port", static_cast<unsigned>(entry.port));
     set(node, "framing", std::string{jaus::name(entry.framing)}.c_str());
     set(node, "sourceport", entry.any_source_port ? "any" : "same");
     for (const auto& ip : entry.more_ips) node.append_child("ip").text() = ip.to_string().c_str();
-    if (const auto& group = entry.multicast) {
-        auto child = node.append_child("multicast");
-        set(child, "group", group->group.to_string().c_str());
-        set(child, "port", static_cast<unsigned>(group->port));
-        set(child, "ttl", static_cast<unsigned>(group->ttl));
-        set(child, "interface", group->interface_name.c_str());
-        set(child, "loop", group->loop ? "yes" : "no");
-    }
+    write_group(node, entry.multicast);
+    if (entry.sae) write_sae(node.append_child("sae"), *entry.sae);
     auto limits = node.append_child("limits");
     set(limits, "rate", entry.limits.messages.per_second);
     set(limits, "burst", entry.limits.messages.burst);
@@ -116,6 +139,7 @@ std::string written(const net::jaus_config& config) {
 /// Without the lines, and the components in the order of their addresses.
 net::system_entry content_of(net::system_entry entry) {
     entry.line = 0;
+    if (entry.sae) entry.sae->line = 0;
     if (auto& master = entry.ethercat) {
         master->line = 0;
         for (auto& slave : master->slaves) {
@@ -134,9 +158,11 @@ net::system_entry content_of(net::system_entry entry) {
 void check_usable(const net::jaus_config& config) {
     check(config.find(config.this_system) == &config.me(), "a configuration knows who it is");
     for (const auto& entry : config.systems) {
-        check(!entry.name.empty() && entry.port != 0, "a system has a name and a port");
+        check(!entry.name.empty() && (entry.port != 0 || !entry.has_ra), "a system has a name and a port");
+        check(entry.has_ra || entry.sae, "a system speaks the RA or SAE JAUS");
         check(config.find(entry.name) == &entry, "a system's name is its own");
         check(config.with_this(entry.name).me().jausip == entry.jausip, "any system can be this one");
+        if (!entry.has_ra) continue;
         const auto* hop = config.next_hop(entry.jausip);
         check(hop != nullptr, "a system's own address leads somewhere");
         const auto id = entry.jausip;
