@@ -8,7 +8,6 @@
 
 namespace {
 
-namespace sae = jauscat::sae;
 namespace wire = jauscat::wire;
 using bytes = std::vector<std::byte>;
 
@@ -75,7 +74,7 @@ template <class Message> bool add(const std::string& name, double present = 1) {
 } // namespace
 
 bool bench::add_sae_codec_benchmarks() {
-    using namespace sae;
+    using namespace jauscat::sae;
     return add<core::report_status>("SAE Report Status, plain") &&
            add<mobility::set_wrench_effort>("SAE Set Wrench Effort, presence vector", 0.5) &&
            add<core::query_services>("SAE Query Services, list of lists") &&
