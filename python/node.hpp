@@ -192,7 +192,10 @@ class control {
     control(const control&) = delete;
     control& operator=(const control&) = delete;
     ~control() {
-        node_->call([last = std::move(held_)]() mutable { last.reset(); }); // released without waiting
+        try {
+            node_->call([last = std::move(held_)]() mutable { last.reset(); }); // released without waiting
+        } catch (...) { // the node has stopped, which has ended the control
+        }
     }
 
     void send(const py::object& name, const py::dict& fields) {
