@@ -193,7 +193,9 @@ class control {
     control& operator=(const control&) = delete;
     ~control() {
         try {
-            node_->call([last = std::move(held_)]() mutable { last.reset(); }); // released without waiting
+            node_->call([last = std::move(held_)]() mutable { last.reset(); }); // does not wait for the peer
+        } catch (const py::error_already_set&) { // of Ctrl-C, which is raised again where it can be caught
+            PyErr_SetInterrupt();
         } catch (...) { // the node has stopped, which has ended the control
         }
     }
