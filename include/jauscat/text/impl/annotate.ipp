@@ -47,7 +47,9 @@ class annotator {
     [[nodiscard]] std::vector<annotated_part> parts() && { return std::move(parts_); }
 
   private:
+    // A user's own item may take other bytes than its value tells: never more than there are.
     void part(std::vector<annotated_field> fields, std::size_t size) {
+        size = std::min(size, size_ - offset_);
         parts_.push_back({offset_, size, std::move(fields)});
         offset_ += size;
     }
