@@ -13,7 +13,8 @@ install(DIRECTORY include/jauscat schemas/jauscat DESTINATION ${CMAKE_INSTALL_IN
 install(FILES schemas/JausConfig.xsd DESTINATION ${CMAKE_INSTALL_DATADIR}/jauscat)
 install(TARGETS jauscat jauscat_text EXPORT jauscat-targets)
 install(EXPORT jauscat-targets NAMESPACE jauscat:: DESTINATION ${package_dir})
-# jauscat::catalogue, jauscat::catalogue_sae and jauscat::compiled are compiled by their users: what is installed is the same for every machine.
+# jauscat::catalogue, jauscat::catalogue_sae and jauscat::compiled are compiled by their users: what is installed is the same
+# for every machine.
 install(DIRECTORY src DESTINATION ${CMAKE_INSTALL_DATADIR}/jauscat)
 install(FILES cmake/catalogue.cmake cmake/jsidl.cmake DESTINATION ${package_dir})
 if(TARGET jauscat_esi_files)

@@ -10,7 +10,7 @@
 
 namespace jauscat::net::detail {
 
-/// Notes which of `names`, values of the <system> around, a medium lacks.
+/// Notes that a medium lacks a value of the <system> around.
 inline void need_of_system(const config_source& source, pugi::xml_node medium, const config_value& value) {
     if (!value.given)
         source.note(config_errc::missing, value.name, source.line_of(medium),
