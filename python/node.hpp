@@ -36,14 +36,16 @@ using boost::system::error_code;
     raise(make_error_code(jauscat::node_errc::not_running), what);
 }
 
-/// Waits without the interpreter's lock. Throws what a signal's handler raises, such as KeyboardInterrupt.
-auto wait_for(auto& done) {
+/// Waits without the interpreter's lock, until `is_given_up()` too. Throws what a signal's handler raises, such as
+/// KeyboardInterrupt.
+auto wait_for(auto& done, auto&& is_given_up) {
     using namespace std::chrono_literals;
     for (;;) {
         {
             const py::gil_scoped_release others_run;
             if (done.wait_for(50ms) == std::future_status::ready) break; // at once where it is there
         }
+        if (is_given_up()) raise_not_running("the operation");
         if (PyErr_CheckSignals() != 0) throw py::error_already_set{};
     }
     try {
@@ -118,6 +120,8 @@ class node : public std::enable_shared_from_this<node> {
             boost::asio::post(context_, [this] { context_.stop(); }); // behind the handlers of aborted operations
         });
         thread_.join();
+        context_.restart(); // what other threads have posted behind the end finds that the node does not run
+        context_.poll();
         over_.set_value();
     }
     /// Works until `stop` or a signal, whose exception it throws.
@@ -125,7 +129,7 @@ class node : public std::enable_shared_from_this<node> {
         if (!thread_.joinable()) start();
         try {
             auto over = is_over_;
-            wait_for(over);
+            wait_for(over, [] { return false; });
         } catch (...) {
             stop();
             throw;
@@ -144,7 +148,7 @@ class node : public std::enable_shared_from_this<node> {
         auto task = std::make_shared<std::packaged_task<std::invoke_result_t<F&>()>>(std::move(f));
         auto done = task->get_future();
         boost::asio::post(context_, [task] { (*task)(); });
-        return wait_for(done);
+        return wait_for(done, [this] { return !is_running(); });
     }
     /// Calls start(handler), and waits until handler(error_code, Value) or handler(error_code) is called.
     template <class Value, class Start> Value complete(const std::string& what, Start start) {
@@ -155,7 +159,7 @@ class node : public std::enable_shared_from_this<node> {
         call([start = std::move(start), promise]() mutable {
             start([promise](const error_code& why, Value value = {}) { promise->set_value({why, std::move(value)}); });
         });
-        auto [why, value] = wait_for(done);
+        auto [why, value] = wait_for(done, [this] { return !is_running(); });
         if (why) raise(why, what);
         return std::move(value);
     }

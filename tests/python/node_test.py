@@ -151,6 +151,31 @@ def test_what_is_not_running_says_so():
     made.bench.stop()
 
 
+def test_what_other_threads_wait_for_ends_when_the_node_stops():
+    """A call that came behind the stop was never done: of 3 threads one hung, at the first stop."""
+    bench = jauscat.Node(config_text=configuration(), this_system="operator", log=lambda line: None)
+    operator = bench.component(32, "test bench")
+    for _ in range(20):
+        is_over = threading.Event()
+
+        def ask_for_the_state():
+            while not is_over.is_set():
+                try:
+                    assert operator.state
+                except jauscat.NodeError:
+                    return
+
+        bench.start()
+        threads = [threading.Thread(target=ask_for_the_state, daemon=True) for _ in range(3)]
+        for one in threads:
+            one.start()
+        bench.stop()
+        is_over.set()
+        for one in threads:
+            one.join(timeout=60)
+            assert not one.is_alive()
+
+
 def test_a_wrong_configuration_says_what_to_do(tmp_path):
     with pytest.raises(jauscat.ConfigurationError, match="cannot be read") as caught:
         jauscat.Node(str(tmp_path / "none.xml"))
