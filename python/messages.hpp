@@ -10,6 +10,7 @@
 #include <jauscat/sae/transport/jaus_id.hpp>
 #include <jauscat/sae/transport/judp.hpp>
 #include <jauscat/sae/transport/message.hpp>
+#include <jauscat/schema/sae/message_id.hpp>
 #include <jauscat/text/diagnosis_text.hpp>
 
 #include <map>
@@ -185,18 +186,21 @@ struct message_type {
             return text::from_input(in, entry.fields(), object, memory);
         });
         if (!made) refuse(made.error());
-        auto body = made->encode();
-        if (!body)
-            raise(error_classes::all().encode, std::string{entry.name()} + ": " + std::string{describe(body.error())});
-        return *std::move(body);
+        return body_of(*made);
     }
     [[nodiscard]] std::vector<std::byte> from_text(std::string_view line) const {
         const auto made = entry.from_text(line);
         if (!made) refuse(made.error());
-        return *made->encode();
+        return body_of(*made);
     }
 
   private:
+    [[nodiscard]] std::vector<std::byte> body_of(const catalogue::any_message& made) const {
+        auto body = made.encode();
+        if (!body)
+            raise(error_classes::all().encode, std::string{entry.name()} + ": " + std::string{describe(body.error())});
+        return *std::move(body);
+    }
     [[noreturn]] void refuse(const text::error& why) const {
         raise(error_classes::all().encode, std::string{entry.name()} + ": " + why.message, describe(why.code),
               {why.field, {}});
@@ -247,11 +251,10 @@ inline message decode_ra(std::span<const std::byte> bytes) {
 /// A message of AS5669A that is not fragmented, without the medium's version byte.
 inline message decode_sae(const sae::split_transport_message& parts) {
     if (!parts) raise(error_classes::all().decode, std::string{describe(parts.error)}, describe(parts.error), {{}, 0});
-    if (sae::is_acknowledgement(parts.header) || parts.payload.size() < 2 ||
-        parts.header.fragment_flag != sae::fragment_flag::single)
+    const auto id = sae::message_id_of(parts.payload);
+    if (sae::is_acknowledgement(parts.header) || !id || parts.header.fragment_flag != sae::fragment_flag::single)
         raise(error_classes::all().decode, "an acknowledgement or a fragment, which has no fields");
-    const auto code = std::to_integer<unsigned>(parts.payload[0]) | std::to_integer<unsigned>(parts.payload[1]) << 8U;
-    auto made = find(py::int_{code}, generation::sae).decode(parts.payload, wire::max_size<sae::transport_header>);
+    auto made = find(py::int_{*id}, generation::sae).decode(parts.payload, wire::max_size<sae::transport_header>);
     made.source = sae::jaus_id_text{parts.header.source}.view();
     made.destination = sae::jaus_id_text{parts.header.destination}.view();
     made.sequence_number = parts.sequence_number;
@@ -291,7 +294,8 @@ struct head {
 
 inline std::vector<std::byte> encode(const message_type& type, const py::dict& fields, const head& how) {
     const auto body = type.encode(fields);
-    std::vector<std::byte> bytes(jaus::header_size + body.size());
+    std::vector<std::byte> bytes((type.of == generation::ra ? jaus::header_size : sae::transport_overhead) +
+                                 body.size());
     const auto refuse = [](auto error) { raise(error_classes::all().encode, std::string{describe(error)}); };
     if (type.of == generation::ra) {
         const jaus::header ra{.ack_nak = how.acknowledge ? jaus::ack_nak::request : jaus::ack_nak::none,
