@@ -429,7 +429,8 @@ int main(int argc, char** argv) {
         const bool by_hand = ::isatty(STDIN_FILENO) != 0;
         const auto config = example::load_config(values);
         std::vector<std::string> systems;
-        for (const auto& system : config.systems) systems.push_back(system.name);
+        for (const auto& system : config.systems)
+            if (system.has_ra) systems.push_back(system.name);
         communicator node{config, std::move(how), !values["unacknowledged"].as<bool>(),
                           by_hand ? terminal_lines(
                                         "> ", [&](auto line) { return completions(line, systems); }, history_file())
