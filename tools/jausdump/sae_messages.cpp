@@ -5,7 +5,6 @@
 #include <jauscat/schema/sae/message_id.hpp>
 #include <jauscat/text/annotate.hpp>
 
-#include <cctype>
 #include <set>
 
 namespace jausdump {
@@ -44,18 +43,6 @@ fault fault_of(sae::transport_errc error) {
 }
 
 } // namespace
-
-std::string sae_name(const catalogue::entry& message) {
-    std::string name;
-    bool begins = true;
-    for (const char c : message.name()) {
-        if (c != '_') name += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
-        begins = c == '_';
-    }
-    // The one abbreviation in the names of the sets.
-    if (const auto at = name.find("Gps"); at != std::string::npos) name.replace(at, 3, "GPS");
-    return name;
-}
 
 /// 256 packets of any size, messages of at most 1 MiB. A packet is dropped after 10 seconds, because numbers repeat.
 struct sae_messages::fragments {

@@ -1,6 +1,7 @@
 // Decodes messages of SAE JAUS, and puts those of several packets together.
 #pragma once
 #include "record.hpp"
+#include "sae_name.hpp"
 #include <jauscat/catalogue/sae.hpp>
 #include <jauscat/sae/transport/fragments.hpp>
 
@@ -15,9 +16,6 @@ struct sae_options {
     bool reencode{};
     bool mobility_1_0{}; ///< mobility services of version 1.0, else 1.1
 };
-
-/// The name in the service definitions: "RequestControl".
-std::string sae_name(const jauscat::catalogue::entry& message);
 
 class sae_messages {
   public:

@@ -1,4 +1,5 @@
 // Writes jauscat.lua: the tables of all messages, as the catalogues describe them, and dissector.lua behind them.
+#include "jausdump/sae_name.hpp"
 #include <jauscat/catalogue/ra_3_3.hpp>
 #include <jauscat/catalogue/sae.hpp>
 #include <jauscat/schema/jaus/header.hpp>
@@ -8,7 +9,6 @@
 #include <jauscat/text/describe.hpp>
 #include <jauscat/text/message_name.hpp>
 
-#include <cctype>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -36,18 +36,6 @@ Example:
 
 Exit code: 0 if done, 1 if OUTPUT.lua is not current, 2 for a wrong command line or a file that cannot be read or written.
 )";
-
-/// The names, without spaces as in the standard's tables: `ReportGPSFix`.
-std::string sae_title(std::string_view name) {
-    std::string title;
-    bool begins = true;
-    for (const char c : name) {
-        if (c != '_') title += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
-        begins = c == '_';
-    }
-    if (const auto at = title.find("Gps"); at != std::string::npos) title.replace(at, 3, "GPS");
-    return title;
-}
 
 std::string quoted(std::string_view text) {
     std::string made = "\"";
@@ -204,7 +192,7 @@ std::string messages(table_writer& tables, const char* name, const catalogue::li
     std::string made = std::string{"local "} + name + " = {\n";
     for (const catalogue::entry& one : all) {
         made += "[" + code_text(one.command_code()) + "]={" + quoted(one.name()) + "," +
-                quoted(is_sae ? sae_title(one.name()) : text::message_name(one.command_code())) + "," +
+                quoted(is_sae ? jausdump::sae_name(one) : text::message_name(one.command_code())) + "," +
                 std::to_string(tables.structure(one.fields(), is_sae ? 1 : 0)); // the message ID
         if (one.query() != 0) made += ",query=" + code_text(one.query());
         if (one.report() != 0) made += ",report=" + code_text(one.report());
