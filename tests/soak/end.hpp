@@ -6,6 +6,7 @@
 #include <jauscat/net/node/jaus_node.hpp>
 
 #include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
 
 #include <atomic>
 #include <exception>
@@ -21,6 +22,8 @@ namespace soak {
 using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
 
+constexpr auto large_data_pause = 100ms; // three sets each second
+
 constexpr jaus::address operator_id{1, 32, 1, 1}, supervisor_id{1, 34, 1, 1}, robot_id{1, 33, 1, 2};
 
 /// What both ends have: a thread, a node that notices whom it hears, large data sets.
@@ -34,6 +37,7 @@ class end {
 
     void start() {
         node_.start();
+        pulse();
         thread_ = std::thread{[this] {
             try {
                 context_.run();
@@ -56,6 +60,7 @@ class end {
         call([this] {
             stopped();
             node_.stop();
+            pulse_.cancel();
         });
         thread_.join();
     }
@@ -67,6 +72,18 @@ class end {
     [[nodiscard]] std::vector<std::string> notes() {
         const std::lock_guard lock{mutex_};
         return notes_;
+    }
+
+    /// Packets that the node dropped because they had waited in its socket, and the longest time in which its thread
+    /// did nothing.
+    struct pauses {
+        unsigned dropped{};
+        nanoseconds longest{};
+    };
+    [[nodiscard]] pauses paused() {
+        pauses found{};
+        call([&] { found = pauses_; });
+        return found;
     }
 
     large_traffic large;
@@ -96,6 +113,10 @@ class end {
             for (const std::string_view usual :
                  {"the sender does not control the component", "acknowledgement that no message waits for"})
                 if (line.find(usual) != line.npos) return;
+            if (line.find("dropped: waited in the socket") != line.npos) { // right when the machine stood still
+                ++pauses_.dropped;
+                return;
+            }
             note(std::string{line});
         };
         made.appeared = [this](const jaus::address&) { ++appeared; };
@@ -104,13 +125,26 @@ class end {
                                  jaus::component_outcome) {
             if (head.command_code == jaus::command_code_of<jaus::report_heartbeat_pulse>) ++heartbeats;
         };
-        made.large_data_pause = 100ms; // three each second
+        made.large_data_pause = large_data_pause;
         made.large_data_done = [this](const jaus::header&, jaus::delivered what) { large.done(what); };
         return made;
     }
 
+    void pulse() {
+        pulse_.expires_after(pulse_period);
+        pulse_.async_wait([this, begun = net::jaus_node::now()](boost::system::error_code stopped) {
+            if (stopped) return;
+            pauses_.longest = std::max(pauses_.longest, net::jaus_node::now() - begun);
+            pulse();
+        });
+    }
+
+    static constexpr auto pulse_period = 5ms;
+
     std::mutex mutex_{};
     std::vector<std::string> notes_{};
+    boost::asio::steady_timer pulse_{context_};
+    pauses pauses_{}; ///< of the end's own thread
     std::thread thread_{};
 
   protected:

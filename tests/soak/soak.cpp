@@ -112,6 +112,7 @@ class run {
         std::size_t memory{};
         std::array<net::udp_counters, 2> counts{};
         std::array<std::vector<std::string>, 2> notes{};
+        std::array<end::pauses, 2> paused{};
         unsigned missed_heartbeats{};
         bool controlled{}; ///< by the operator
         // and after it
@@ -164,6 +165,7 @@ class run {
         findings found{.memory = memory_.peek(),
                        .counts = {operator_->counts(), robot_->counts()},
                        .notes = {operator_->notes(), robot_->notes()},
+                       .paused = {operator_->paused(), robot_->paused()},
                        .missed_heartbeats = operator_->disappeared + robot_->disappeared};
         found.controllers = robot_->controllers();
         found.controlled = !found.controllers.empty() && found.controllers.back() == operator_id;
@@ -206,6 +208,9 @@ class run {
             std::printf("datagrams from the %s: %llu, of which the relay lost %llu (the cut included); its node: %s\n",
                         end == 0 ? "operator" : "robot", number(relay_.of(end).taken), number(relay_.of(end).lost),
                         net::summary(found.counts[end]).c_str());
+        for (std::size_t i : {0U, 1U})
+            std::printf("pauses of the %s: the longest %.0f ms; %u packets dropped, which waited in the socket\n",
+                        i == 0 ? "operator" : "robot", ms(found.paused[i].longest), found.paused[i].dropped);
         std::printf("memory: %.2f MiB after the warm-up, %.2f MiB at the end\n\n", mib(memory_.first()),
                     mib(found.memory));
         for (const auto& lines : found.notes)
@@ -234,6 +239,11 @@ class run {
         check("every large data set arrived once, as it was sent", all_arrived());
         check("memory is flat (at most 1 MiB or 2 % more)",
               found.memory <= memory_.first() + std::max(std::size_t{1} << 20U, memory_.first() / 50));
+        // Dropped after a quarter of the pause; half of that may be the time to read what came meanwhile.
+        check("no packet waited in a socket but while its node's thread stood still",
+              std::ranges::all_of(found.paused, [](const end::pauses& p) {
+                  return p.dropped == 0 || p.longest >= large_data_pause / 8;
+              }));
         check("neither node has anything in its log", found.notes[0].empty() && found.notes[1].empty());
     }
     static bool all_through(const large_traffic& large) {
