@@ -16,9 +16,6 @@ JAUSCAT_FLATTEN constexpr in_cursor get_message(T& __restrict value, const std::
     return layout_of<T>::get(value, {in, slack}, object_scope{value, root});
 }
 
-/// Values outside their value sets.
-enum class outside_values { refused, tolerated };
-
 /// `ToTheEnd`: no bytes may be left.
 template <bool ToTheEnd, outside_values Outside = outside_values::refused, message T, class Root>
 [[gnu::always_inline]] constexpr result<std::size_t, errc> decode(T& value, std::span<const std::byte> in,

@@ -15,6 +15,15 @@ template <message T>
 JAUSCAT_FLATTEN constexpr out_cursor put_message(const T& __restrict value, std::byte* __restrict out) noexcept {
     return layout_of<T>::put(value, {out, errc::ok}, object_scope{value, plain_root{}});
 }
+/// The same for a message that may be too long for any buffer; its size is found on the way.
+template <message T>
+JAUSCAT_FLATTEN constexpr out_cursor put_if_it_fits(const T& __restrict value, std::byte* __restrict out,
+                                                    std::size_t space) noexcept {
+    const std::size_t size = layout_of<T>::size(value, object_scope{value, plain_root{}});
+    if (size > packed_size<errc>::max_size) return {out, errc::too_long};
+    if (size > space) return {out, errc::no_space};
+    return layout_of<T>::put(value, {out, errc::ok}, object_scope{value, plain_root{}});
+}
 } // namespace detail
 
 /// Encoded size of `value` in bytes. Out of line, so that encode, which only calls it when the buffer is short, is
@@ -27,21 +36,28 @@ template <message T>
         return layout_of<T>::size(value, object_scope{value, plain_root{}});
 }
 
-/// The same as encode without the last argument, but accepts values outside their value sets.
-template <message T>
-[[nodiscard, gnu::always_inline]] constexpr result<std::span<std::byte>, errc>
-encode(const T& value, std::span<std::byte> out, tolerate_values_tag) noexcept {
-    if constexpr (!never_too_long<T>) {
-        const std::size_t size = encoded_size(value);
-        if (size > packed_size<errc>::max_size) return errc::too_long;
-        if (size > out.size()) return errc::no_space;
-    } else if (out.size() < max_size<T>) {
-        if (fixed_message<T> || out.size() < encoded_size(value)) return errc::no_space;
+namespace detail {
+template <outside_values Outside, message T>
+[[gnu::always_inline]] constexpr result<std::span<std::byte>, errc> encode(const T& value,
+                                                                           std::span<std::byte> out) noexcept {
+    constexpr bool checks = Outside == outside_values::refused && layout_of<T>::checks_values;
+    out_cursor end{out.data(), errc::ok};
+    if constexpr (never_too_long<T>) {
+        if (out.size() < max_size<T> && (fixed_message<T> || out.size() < encoded_size(value))) return errc::no_space;
+        if constexpr (checks) {
+            if (const errc error = check_values(value); error != errc::ok) return error;
+        }
+        end = put_message(value, out.data());
+    } else {
+        if constexpr (checks) {
+            if (const errc error = check_values(value); error != errc::ok) return error;
+        }
+        end = put_if_it_fits(value, out.data(), out.size());
     }
-    const out_cursor end = detail::put_message(value, out.data());
     if (end.error != errc::ok) return end.error;
     return std::span<std::byte>{out.data(), end.at};
 }
+} // namespace detail
 
 /// Writes `value` to the front of `out`, which must not overlap it, and returns the bytes written.
 /// Errors: no_space, too_long, outside_value_set (nothing was written); out_of_range, count_above_capacity,
@@ -49,10 +65,13 @@ encode(const T& value, std::span<std::byte> out, tolerate_values_tag) noexcept {
 template <message T>
 [[nodiscard, gnu::always_inline]] constexpr result<std::span<std::byte>, errc>
 encode(const T& value, std::span<std::byte> out) noexcept {
-    if constexpr (layout_of<T>::checks_values) {
-        if (const errc error = check_values(value); error != errc::ok) return error;
-    }
-    return encode(value, out, tolerate_values);
+    return detail::encode<detail::outside_values::refused>(value, out);
+}
+/// The same, but accepts values outside their value sets.
+template <message T>
+[[nodiscard, gnu::always_inline]] constexpr result<std::span<std::byte>, errc>
+encode(const T& value, std::span<std::byte> out, tolerate_values_tag) noexcept {
+    return detail::encode<detail::outside_values::tolerated>(value, out);
 }
 
 } // namespace jauscat::wire

@@ -50,7 +50,7 @@ JAUSCAT_INLINE constexpr bool spend(in_cursor& c, std::size_t size) noexcept {
 }
 
 template <class Item> JAUSCAT_INLINE constexpr std::size_t size_of_item(const auto& object, const auto& here) noexcept {
-    if constexpr (fixed_item<Item>)
+    if constexpr (Item::min_size == Item::max_size)
         return Item::max_size;
     else
         return Item::size(object, here);

@@ -34,39 +34,23 @@ template <class Codec, bool Raw> struct value_form {
         return error == errc::ok ? in_cursor{c.at + Codec::size, c.slack} : in_cursor::failed(error);
     }
 };
-/// How records are. Those of variable size are worth a call: inlined, a list in a list is compiled over and over.
+/// Elements that are records.
 template <class T> struct record_form {
     using inner = layout_of<T>;
     using refers = references_of<inner>;
     static constexpr std::size_t min_size = inner::min_size, max_size = inner::max_size;
     static constexpr bool fixed = fixed_item<inner>;
-    [[gnu::noinline]] JAUSCAT_FLATTEN static constexpr std::size_t size(const auto& value, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t size(const auto& value, const auto& here) noexcept {
         return inner::size(value, object_scope{value, here});
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
-        if constexpr (fixed)
-            return inner::put(value, c, object_scope{value, here});
-        else
-            return put_called(value, c, here);
+        return inner::put(value, c, object_scope{value, here});
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& value, in_cursor c, const auto& here) noexcept {
-        if constexpr (fixed)
-            return inner::get(value, c, object_scope{value, here});
-        else
-            return get_called(value, c, here);
+        return inner::get(value, c, object_scope{value, here});
     }
     template <class Here> static constexpr auto inside(const std::byte* in, const Here& here) noexcept {
         return byte_scope<T, Here>{in, here.end, here};
-    }
-
-  private:
-    [[gnu::noinline]] JAUSCAT_FLATTEN static constexpr out_cursor put_called(const auto& value, out_cursor c,
-                                                                             const auto& here) noexcept {
-        return inner::put(value, c, object_scope{value, here});
-    }
-    [[gnu::noinline]] JAUSCAT_FLATTEN static constexpr in_cursor get_called(auto& value, in_cursor c,
-                                                                            const auto& here) noexcept {
-        return inner::get(value, c, object_scope{value, here});
     }
 };
 
@@ -82,7 +66,7 @@ template <class Form>
 JAUSCAT_INLINE constexpr std::size_t size_of_elements(const auto& elements,
                                                       [[maybe_unused]] const auto& here) noexcept {
     std::size_t total = 0;
-    if constexpr (Form::fixed)
+    if constexpr (Form::min_size == Form::max_size)
         total = elements.size() * Form::max_size;
     else
         for (std::size_t i = 0; i != elements.size(); ++i) total += Form::size(elements[i], here);

@@ -88,8 +88,11 @@ template <> struct case_form<std::monostate> {
     template <bool> static constexpr in_cursor get(auto&, in_cursor c, const auto&) noexcept { return c; }
 };
 
-/// Operations on a value of the type `Value`, by its tag. For all members with the same cases, and out of line: a
-/// payload's interface has three values of 22 cases each. A structure in a case reads no enclosing members.
+/// With more cases or alternatives than these, they are written and read in a function for all members that have them:
+/// a payload's interface has three values of 22 cases each. A call for fewer took more instructions than they do.
+inline constexpr std::size_t most_inlined = 4;
+
+/// Operations on a value of the type `Value`, by its tag. A structure in a case reads no enclosing members.
 template <class Value, bool Raw, class... Cases> struct case_table {
     static constexpr std::size_t min_size = std::min({case_form<typename Cases::form>::min_size...});
     static constexpr std::size_t max_size = std::max({case_form<typename Cases::form>::max_size...});
@@ -105,25 +108,18 @@ template <class Value, bool Raw, class... Cases> struct case_table {
         });
         return total;
     }
-    [[gnu::noinline]] static constexpr out_cursor put(const Value& value, auto tag, out_cursor c,
-                                                      const auto& root) noexcept {
-        out_cursor end{c.at, errc::unknown_tag};
-        with_form(tag, [&]<class Form>() {
-            if (const auto* const one = in<Form>(value)) end = Form::template put<Raw>(*one, c, root);
-        });
-        return end;
+    JAUSCAT_INLINE static constexpr out_cursor put(const Value& value, auto tag, out_cursor c,
+                                                   const auto& root) noexcept {
+        if constexpr (sizeof...(Cases) > most_inlined)
+            return put_called(value, tag, c, root);
+        else
+            return put_here(value, tag, c, root);
     }
-    [[gnu::noinline]] static constexpr in_cursor get(Value& value, auto tag, in_cursor c, const auto& root) noexcept {
-        in_cursor end = in_cursor::failed(errc::unknown_tag);
-        with_form(tag, [&]<class Form>() {
-            end = c;
-            if (!spend(end, Form::min_size - min_size)) return;
-            if constexpr (is_variant<Value>)
-                end = Form::template get<Raw>(value.template emplace<typename Form::value_type>(), end, root);
-            else
-                end = Form::template get<Raw>(value, end, root);
-        });
-        return end;
+    JAUSCAT_INLINE static constexpr in_cursor get(Value& value, auto tag, in_cursor c, const auto& root) noexcept {
+        if constexpr (sizeof...(Cases) > most_inlined)
+            return get_called(value, tag, c, root);
+        else
+            return get_here(value, tag, c, root);
     }
     [[gnu::noinline]] static constexpr in_cursor measure(auto tag, in_cursor c, const std::byte* stop) noexcept {
         in_cursor end = in_cursor::failed(errc::unknown_tag);
@@ -141,6 +137,34 @@ template <class Value, bool Raw, class... Cases> struct case_table {
     }
 
   private:
+    JAUSCAT_INLINE static constexpr out_cursor put_here(const Value& value, auto tag, out_cursor c,
+                                                        const auto& root) noexcept {
+        out_cursor end{c.at, errc::unknown_tag};
+        with_form(tag, [&]<class Form>() {
+            if (const auto* const one = in<Form>(value)) end = Form::template put<Raw>(*one, c, root);
+        });
+        return end;
+    }
+    JAUSCAT_INLINE static constexpr in_cursor get_here(Value& value, auto tag, in_cursor c, const auto& root) noexcept {
+        in_cursor end = in_cursor::failed(errc::unknown_tag);
+        with_form(tag, [&]<class Form>() {
+            end = c;
+            if (!spend(end, Form::min_size - min_size)) return;
+            if constexpr (is_variant<Value>)
+                end = Form::template get<Raw>(value.template emplace<typename Form::value_type>(), end, root);
+            else
+                end = Form::template get<Raw>(value, end, root);
+        });
+        return end;
+    }
+    [[gnu::noinline]] static constexpr out_cursor put_called(const Value& value, auto tag, out_cursor c,
+                                                             const auto& root) noexcept {
+        return put_here(value, tag, c, root);
+    }
+    [[gnu::noinline]] static constexpr in_cursor get_called(Value& value, auto tag, in_cursor c,
+                                                            const auto& root) noexcept {
+        return get_here(value, tag, c, root);
+    }
     // The value, if it is of the form's type.
     template <class Form> static constexpr auto in(const Value& value) noexcept {
         if constexpr (is_variant<Value>)

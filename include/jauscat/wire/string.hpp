@@ -3,6 +3,9 @@
 #include <jauscat/wire/count.hpp>
 #include <jauscat/wire/list.hpp>
 
+#include <cstring>
+#include <type_traits>
+
 namespace jauscat::wire {
 
 namespace detail {
@@ -25,7 +28,10 @@ template <auto Member, class Extent> struct octet_run {
             return value_type{std::span{in, size}};
     }
     JAUSCAT_INLINE static constexpr void copy(const value_type& value, std::byte* out) noexcept {
-        for (const auto octet : value) *out++ = static_cast<std::byte>(octet);
+        if (std::is_constant_evaluated())
+            for (const auto octet : value) *out++ = static_cast<std::byte>(octet);
+        else if (!value.empty()) // else its pointer may be null
+            std::memcpy(out, value.data(), value.size());
     }
     /// Fills up with zeros to `size`.
     JAUSCAT_INLINE static constexpr errc put_filled(const value_type& value, std::byte* out,

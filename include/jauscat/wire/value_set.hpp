@@ -85,6 +85,9 @@ inline constexpr tolerate_values_tag tolerate_values{};
 
 namespace detail {
 
+/// Values outside their value sets.
+enum class outside_values { refused, tolerated };
+
 template <class T> constexpr errc check_values_in(const T& object) noexcept;
 
 template <class Codec> constexpr bool holds_value(const auto& value) noexcept {
@@ -110,6 +113,18 @@ template <class Item> constexpr bool size_in_its_set(const auto& value) noexcept
     else
         return true;
 }
+/// Not std::visit: its call through a table costs more than most checks.
+template <class... Forms> constexpr bool alternative_in_its_set(const std::variant<Forms...>& value) noexcept {
+    const auto inside = [&]<class Form>(std::type_identity<Form>) {
+        if constexpr (message<Form>) {
+            const auto* const form = std::get_if<Form>(&value);
+            return form == nullptr || check_values_in(*form) == errc::ok;
+        } else {
+            return true;
+        }
+    };
+    return (inside(std::type_identity<Forms>{}) && ... && true);
+}
 /// A member that is present.
 template <class Item, class Value> constexpr bool in_its_set(const Value& value) noexcept {
     if constexpr (requires { typename Item::value_set; }) {
@@ -125,14 +140,7 @@ template <class Item, class Value> constexpr bool in_its_set(const Value& value)
     } else if constexpr (requires { typename Item::count_type; }) {
         return size_in_its_set<Item>(value);
     } else if constexpr (requires { value.valueless_by_exception(); }) {
-        return std::visit(
-            []<class Form>(const Form& form) {
-                if constexpr (message<Form>)
-                    return check_values_in(form) == errc::ok;
-                else
-                    return true;
-            },
-            value);
+        return alternative_in_its_set(value);
     } else if constexpr (message<Value>) {
         return check_values_in(value) == errc::ok;
     } else {

@@ -39,7 +39,7 @@ template <class Variant> struct alternatives_of {
                           checks_values = false;
     using raw_type = Variant;
 };
-/// Alternatives by their numbers. All members of one type share the functions, which stay out of line.
+/// Alternatives by their numbers. Where they are many, all members of one type share the functions, out of line.
 template <class... Alternatives> struct alternatives_of<std::variant<Alternatives...>> {
     static constexpr bool of_variant = true;
     static constexpr std::size_t count = sizeof...(Alternatives);
@@ -53,10 +53,14 @@ template <class... Alternatives> struct alternatives_of<std::variant<Alternative
     using raw_type = std::variant<typename raw_alternative<Alternatives>::type...>;
 
     /// Calls f.template operator()<I, Alternative>() for alternative `index`; false where there is none.
-    JAUSCAT_INLINE static constexpr bool with(std::size_t index, auto&& f) {
-        return [&]<std::size_t... I>(std::index_sequence<I...>) {
-            return (... || (index == I && (f.template operator()<I, Alternatives>(), true)));
-        }(std::make_index_sequence<count>{});
+    template <std::size_t I = 0> JAUSCAT_INLINE static constexpr bool with(std::size_t index, auto&& f) {
+        if constexpr (I == count) {
+            return false;
+        } else {
+            if (index != I) return with<I + 1>(index, f);
+            f.template operator()<I, std::variant_alternative_t<I, std::variant<Alternatives...>>>();
+            return true;
+        }
     }
     [[gnu::noinline]] static constexpr std::size_t size(const auto& value) noexcept {
         std::size_t total = 0;
@@ -65,22 +69,18 @@ template <class... Alternatives> struct alternatives_of<std::variant<Alternative
         });
         return total;
     }
-    [[gnu::noinline]] static constexpr out_cursor put(const auto& value, out_cursor c) noexcept {
-        out_cursor end{c.at, errc::unknown_tag};
-        with(value.index(), [&]<std::size_t I, class Form>() {
-            end = case_form<Form>::template put<false>(*std::get_if<I>(&value), c, plain_root{});
-        });
-        return end;
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& value, out_cursor c) noexcept {
+        if constexpr (count > most_inlined)
+            return put_called(value, c);
+        else
+            return put_here(value, c);
     }
-    [[gnu::noinline]] static constexpr in_cursor get(auto& value, std::size_t index, in_cursor c,
-                                                     const auto& root) noexcept {
-        in_cursor end = in_cursor::failed(errc::unknown_tag);
-        with(index, [&]<std::size_t I, class Form>() {
-            end = c;
-            if (spend(end, case_form<Form>::min_size - min_size))
-                end = case_form<Form>::template get<false>(value.template emplace<I>(), end, root);
-        });
-        return end;
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& value, std::size_t index, in_cursor c,
+                                                  const auto& root) noexcept {
+        if constexpr (count > most_inlined)
+            return get_called(value, index, c, root);
+        else
+            return get_here(value, index, c, root);
     }
     [[gnu::noinline]] static constexpr in_cursor measure(std::size_t index, in_cursor c,
                                                          const std::byte* stop) noexcept {
@@ -100,6 +100,30 @@ template <class... Alternatives> struct alternatives_of<std::variant<Alternative
     }
 
   private:
+    JAUSCAT_INLINE static constexpr out_cursor put_here(const auto& value, out_cursor c) noexcept {
+        out_cursor end{c.at, errc::unknown_tag};
+        with(value.index(), [&]<std::size_t I, class Form>() {
+            end = case_form<Form>::template put<false>(*std::get_if<I>(&value), c, plain_root{});
+        });
+        return end;
+    }
+    [[gnu::noinline]] static constexpr out_cursor put_called(const auto& value, out_cursor c) noexcept {
+        return put_here(value, c);
+    }
+    JAUSCAT_INLINE static constexpr in_cursor get_here(auto& value, std::size_t index, in_cursor c,
+                                                       const auto& root) noexcept {
+        in_cursor end = in_cursor::failed(errc::unknown_tag);
+        with(index, [&]<std::size_t I, class Form>() {
+            end = c;
+            if (spend(end, case_form<Form>::min_size - min_size))
+                end = case_form<Form>::template get<false>(value.template emplace<I>(), end, root);
+        });
+        return end;
+    }
+    [[gnu::noinline]] static constexpr in_cursor get_called(auto& value, std::size_t index, in_cursor c,
+                                                            const auto& root) noexcept {
+        return get_here(value, index, c, root);
+    }
     static constexpr auto alone(const std::byte* bytes, const std::byte* stop) noexcept {
         return byte_scope<plain_root, plain_root>{bytes, stop, {}};
     }
