@@ -139,6 +139,29 @@ TEST_CASE("one node talks to peers over UDP, TCP and a serial line, each by the 
     CHECK(tool.log.empty());
 }
 
+TEST_CASE("a message of several packets arrives, and one that is too large is refused by name") {
+    boost::asio::io_context context;
+    const auto ports = support::free_ports<2>();
+    const auto systems = "<system name='robot' ip='127.0.0.2' port='" + std::to_string(ports[0]) +
+                         "'><sae id='1.1.20'><judp/></sae></system>\n<system name='ocu' ip='127.0.0.3' port='" +
+                         std::to_string(ports[1]) + "'><sae id='126.1.10'><judp/></sae></system>\n";
+    auto ocu_options = net::sae_node_options{};
+    ocu_options.memory.message_size = std::size_t{16} << 10U;
+    station robot{context, config_of("robot", systems)}, ocu{context, config_of("ocu", systems), ocu_options};
+    robot.start();
+    ocu.start();
+    std::vector<std::byte> image(100'000, std::byte{0xD0});
+    REQUIRE(ocu.node.send({.destination = robot_id, .is_acknowledged = true}, image));
+    REQUIRE(support::until(context, [&] { return robot.received.size() == 1; }));
+    CHECK(robot.received[0].starts_with(to_hex(image)));
+
+    REQUIRE(robot.node.send({.destination = by_udp}, image));
+    REQUIRE(support::until(context, [&] { return !ocu.log.empty(); }));
+    CHECK(ocu.log[0].starts_with("a packet of 1.1.20 is refused: too large: "));
+    CHECK(ocu.received.empty());
+    CHECK(robot.log.empty());
+}
+
 TEST_CASE("a message is processed from the addresses and media of its system alone, within its rate") {
     boost::asio::io_context context;
     const auto ports = support::free_ports<3>();

@@ -32,7 +32,7 @@ struct sae_node_options {
     access accept{access::closed};
     /// The IDs of its components within its node; empty: the component that the configuration names.
     std::vector<std::uint8_t> components{};
-    sae::transport_sizes memory{};
+    sae::transport_sizes memory{.fragments = 272, .queue = 272, .message_size = std::size_t{1} << 20U}; // 3 MiB
     sae::transport_options transport{}; ///< without has_group and is_closed, which the configuration decides
     udp_options socket{};
     jtcp_options jtcp{};       ///< without listen, from, accepted and limit

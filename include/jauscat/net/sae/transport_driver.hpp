@@ -62,6 +62,7 @@ class transport_driver {
     JAUSCAT_DECL jaus::datagram_form on_datagram(sae::endpoint_key from, std::span<const std::byte> datagram);
     JAUSCAT_DECL void on_packet(sae::endpoint_key from, const sae::split_transport_message& packet);
     JAUSCAT_DECL void pass(sae::endpoint_key from, const sae::split_transport_message& packet);
+    JAUSCAT_DECL void report_refused(const sae::transport_counters& before, const sae::split_transport_message& packet);
     JAUSCAT_DECL void put(const sae::outgoing_datagram& datagram) const;
     JAUSCAT_DECL void run();
 

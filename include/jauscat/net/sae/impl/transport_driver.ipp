@@ -41,9 +41,27 @@ JAUSCAT_DECL void transport_driver::report(std::string_view text) {
 
 JAUSCAT_DECL void transport_driver::pass(sae::endpoint_key from, const sae::split_transport_message& packet) {
     if (accept_ && packet && !accept_(packet.header, from)) return;
+    const auto before = transport_.counts();
     transport_.on_packet(from, packet, now(), [this](const sae::received_message& message) {
         if (is_running_ && handlers_.on_message) handlers_.on_message(message);
     });
+    report_refused(before, packet);
+}
+
+JAUSCAT_DECL void transport_driver::report_refused(const sae::transport_counters& before,
+                                                   const sae::split_transport_message& packet) {
+    const auto& after = transport_.counts();
+    const auto tell = [&](std::string_view why) {
+        log_(now(), [&] {
+            const std::string whose =
+                packet ? "a packet of " + std::string{sae::jaus_id_text{packet.header.source}.view()} : "a packet";
+            return whose + " is refused: " + std::string{why};
+        });
+    };
+    const auto fault = std::ranges::mismatch(after.faults, before.faults).in1;
+    if (fault != after.faults.end()) tell(describe(static_cast<sae::transport_errc>(fault - after.faults.begin())));
+    if (after.no_capacity != before.no_capacity)
+        tell("no capacity: too many packets at a time for the memory (sae_node_options::memory)");
 }
 
 JAUSCAT_DECL jaus::datagram_form transport_driver::on_datagram(sae::endpoint_key from,
