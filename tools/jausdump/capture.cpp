@@ -58,7 +58,9 @@ void read_capture(const std::string& path, const capture_listener& listener) {
         if (got == PCAP_ERROR_BREAK || listener.stop()) return packets.finish();
         if (got != 1)
             throw input_error{path + ": after packet " + std::to_string(read) + ": " + pcap_geterr(file.get())};
-        packets.read(type, time_of(head->ts), std::as_bytes(std::span{data, head->caplen}));
+        const captured_packet packet{type, time_of(head->ts), std::as_bytes(std::span{data, head->caplen}), head->len};
+        packets.read(type, packet.time, packet.frame);
+        if (listener.packet) listener.packet(packet);
         ++read;
         if (!no_size && file_size != 0)
             listener.progress(static_cast<double>(std::ftell(pcap_file(file.get()))) / static_cast<double>(file_size));
@@ -108,7 +110,9 @@ void port_capture::run(const capture_listener& listener) {
             continue;
         }
         const bytes frame = std::as_bytes(std::span{data, head->caplen});
-        if (!comes_again(type, frame)) reader.read(type, time_of(head->ts), frame);
+        if (comes_again(type, frame)) continue;
+        reader.read(type, time_of(head->ts), frame);
+        if (listener.packet) listener.packet({type, time_of(head->ts), frame, head->len});
     }
 }
 

@@ -250,13 +250,15 @@ void dump::tell(const record& message) {
     // Without a header there is nothing to choose by.
     if (!message.head && !options_.filter.passes(message)) return;
     summary_.add(message);
+    if (options_.on_message) options_.on_message();
     if (options_.receiver) return options_.receiver(message);
-    if (options_.summary_only) return;
+    if (options_.summary_only || options_.quiet) return;
+    const auto time = time_stamps_.next(message.origin.time);
     if (options_.format == format::json_lines) {
-        std::cout << to_json_line(message);
+        std::cout << to_json_line(message, time);
     } else {
-        if (!std::exchange(heading_printed_, true)) std::cout << heading(options_.colours);
-        std::cout << to_text(message, options_.colours, options_.hex);
+        if (!std::exchange(heading_printed_, true)) std::cout << heading(options_.colours, options_.time);
+        std::cout << to_text(message, time, options_.colours, options_.hex);
     }
     if (!std::cout) example::require_output(); // not only at the end of what never ends
 }
@@ -265,6 +267,7 @@ bool dump::finish() {
     sae_.finish();
     for (const auto& set : data_sets_.places())
         if (set.packets != 0) summary_.lose_data_set();
+    if (options_.quiet) return !summary_.something_did_not_decode();
     if (options_.format == format::text_lines)
         std::cout << summary_.text(options_.colours);
     else if (options_.summary_only)

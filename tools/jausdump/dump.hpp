@@ -22,9 +22,13 @@ struct options {
     bool reencode{};
     bool hex{};          ///< bytes with offsets, in text
     bool summary_only{}; ///< print no messages
+    bool quiet{};        ///< print no messages and no summary
+    time_display time{};
     palette colours{};
     std::vector<jaus::payload_type> payload_types{};
     std::function<void(const record&)> receiver{}; ///< of each message; not set: it is printed
+    std::function<void()> on_message{};            ///< before each message that passes the filter
+    std::function<void()> on_skipped{};            ///< for each packet that is counted as skipped
 };
 
 class dump {
@@ -51,7 +55,10 @@ class dump {
     /// A message, by its header and code alone, that a slave refused or did not give.
     void on_refused(record message);
     void on_lost_transfer() { summary_.lose_transfer(); }
-    void on_skipped(const std::string& reason) { summary_.skip(reason); }
+    void on_skipped(const std::string& reason) {
+        summary_.skip(reason);
+        if (options_.on_skipped) options_.on_skipped();
+    }
 
     [[nodiscard]] bool has_seen_anything() const { return !summary_.empty(); }
     /// Prints what is left to say. Returns whether everything was decoded.
@@ -68,6 +75,7 @@ class dump {
     options options_;
     payload_directory payloads_;
     summary summary_{};
+    time_stamps time_stamps_{options_.time};
     bool heading_printed_{};
     sae_messages sae_{{.text = options_.format == format::text_lines,
                        .reencode = options_.reencode,

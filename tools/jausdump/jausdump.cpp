@@ -1,12 +1,15 @@
 // jausdump: shows JAUS messages out of a capture, from a UDP port, or from lines of hex digits.
 #include "capture.hpp"
+#include "capture_writer.hpp"
 #include "dump.hpp"
 #include "ethercat_reader.hpp"
 #include "input_lines.hpp"
 #include "listener.hpp"
+#include "replayer.hpp"
 #include "serial_file.hpp"
 #include "serial_lines.hpp"
 #include "support/program.hpp"
+#include "top.hpp"
 
 #include <fstream>
 #include <optional>
@@ -38,6 +41,18 @@ Other objects and mailbox protocols are counted. Octets of a JAUS ID that are no
 slave fills in: with the seed table the subsystem of --subsystem and instance 1. An unknown octet is 0, such as the
 node of a slave whose station address is above 254. Messages of SAE JAUS are in the objects of the table sae.
 
+Table (--top): one row for each message and sender, with the first bytes of the newest body; bytes that change are in
+reverse, or have * behind them without colours. Keys: q ends, c m s n r a sort by code, message, source, count (n), rate,
+age; arrows and Page Up and Down scroll. Of a capture, and where the output is no terminal, the table is printed at the
+end.
+
+File (--write): packets of captures as they were, datagrams of a port with Ethernet, IP and UDP headers made for them. A
+packet is written if one of its messages passes the filters; parts of messages in several packets (IPv4 fragments, packets
+of SAE JAUS, TCP segments, serial data, EtherCAT frames) always. Ctrl-C leaves a whole file.
+
+Replay (--replay): sends each datagram with a message that passes the filters, unchanged. TCP streams and serial lines
+are counted and not sent. Datagrams that a closed port refuses are counted, and the others are sent.
+
 Examples:
   jausdump drive.pcap
   jausdump drive.pcap --name global_pose --from 1.1 --hex
@@ -45,6 +60,10 @@ Examples:
   jausdump ring.pcap --ethercat seed --subsystem 2
   jausdump ring.pcap --ethercat sae
   jausdump --listen 3794 --join 224.1.0.1
+  jausdump --listen 3794 --top --sort rate
+  jausdump --listen 3794 --write drive.pcap --time relative
+  jausdump drive.pcap --from 1.1 --write from_1_1.pcap --summary
+  jausdump drive.pcap --replay 127.0.0.1:3794 --speed 2
   sudo tcpdump -i any -U -w - udp port 3794 | jausdump -
   echo 0602050401210202012001010400220001000040 | jausdump --format json --reencode
   jausdump --format json --translate seed <messages.hex
@@ -59,7 +78,8 @@ stand for no field), dropped (bytes that no field holds), data_set, refusal (by,
 byte is counted from there or from the message ID, and generation "SAE" and payload_size stand before data_set.
 
 Exit code: 0 if all was decoded, 1 if a message was malformed, unknown or incomplete, 2 for a wrong command line or
-input that cannot be read.
+input that cannot be read. With --replay 0 if all was sent, 1 if a datagram was refused or too large, none was there, or
+Ctrl-C ended it.
 )";
 
 template <class T> std::vector<T> values_of(const po::variables_map& values, const char* name) {
@@ -157,6 +177,11 @@ jausdump::options options_from(const po::variables_map& values) {
         .reencode = values.count("reencode") != 0,
         .hex = values.count("hex") != 0,
         .summary_only = values.count("summary") != 0,
+        .time = choice<time_display>(values, "time",
+                                     {{"absolute", time_display::absolute},
+                                      {"relative", time_display::relative},
+                                      {"delta", time_display::delta},
+                                      {"none", time_display::none}}),
         .colours = example::colours(),
     };
     if (values.count("translate") != 0)
@@ -167,6 +192,68 @@ jausdump::options options_from(const po::variables_map& values) {
 }
 
 bool stopped() { return example::stop_requested; }
+
+/// What is made of the messages beside what is printed.
+struct outputs {
+    std::optional<jausdump::capture_writer> writer{};
+    std::optional<jausdump::top> top{};
+    std::optional<jausdump::replayer> replayer{};
+
+    void follow(jausdump::capture_listener& listener, bool live) {
+        if (writer) writer->follow(listener, live);
+        if (replayer) replayer->follow(listener);
+    }
+    /// To be called often.
+    bool stop() { return (top && top->tick()) || stopped(); }
+};
+
+/// Makes what the options ask for, and lets it follow the messages.
+void make_outputs(outputs& made, const po::variables_map& values, jausdump::options& how) {
+    using jausdump::top_order;
+    const bool live = values.count("listen") != 0, file = values.count("capture") != 0;
+    const bool serial = values.count("jserial") != 0;
+    const bool is_json = how.format == jausdump::format::json_lines;
+    const auto has = [&](const char* name) { return values.count(name) != 0; };
+    const auto needs = [&](const std::string& name, bool met, const char* what) {
+        if (has(name.c_str()) && !met) throw usage_error{"--" + name + " needs " + what};
+    };
+    needs("write", (live || file) && !serial, "a capture or --listen PORT");
+    needs("replay", file && !serial, "a capture");
+    needs("speed", has("replay"), "--replay HOST:PORT");
+    needs("sort", has("top"), "--top");
+    needs("interval", has("top"), "--top");
+    for (const std::string name : {"top", "write", "summary", "ethercat"})
+        if (has("replay") && has(name.c_str())) throw usage_error{"--" + name + " does not go with --replay"};
+    if (has("top") && has("summary")) throw usage_error{"--summary does not go with --top"};
+    const auto not_negative = [&](const char* name, double preset) {
+        const double number = has(name) ? values[name].as<double>() : preset;
+        if (!(number >= 0)) throw usage_error{"--" + std::string{name} + " must be 0 or more"};
+        return number;
+    };
+    if (has("replay")) {
+        made.replayer.emplace(values["replay"].as<std::string>(), not_negative("speed", 1), stopped);
+        made.replayer->follow(how);
+    }
+    if (has("top")) {
+        jausdump::top_options table{.live = live, .as_json = is_json};
+        if (has("sort"))
+            table.order = choice<top_order>(values, "sort",
+                                            {{"code", top_order::code},
+                                             {"message", top_order::message},
+                                             {"source", top_order::source},
+                                             {"count", top_order::count},
+                                             {"rate", top_order::rate},
+                                             {"age", top_order::age}});
+        if (has("interval")) table.interval_s = not_negative("interval", 0);
+        made.top.emplace(table);
+        made.top->follow(how);
+    }
+    if (has("write")) {
+        const auto source = file ? values["capture"].as<std::string>() : std::string{};
+        made.writer.emplace(values["write"].as<std::string>(), source);
+        made.writer->follow(how);
+    }
+}
 
 /// Shows on a terminal how far a long capture has been read, unless the messages are shown there too.
 class progress {
@@ -186,12 +273,13 @@ class progress {
     int percent_{};
 };
 
-void read_lines(jausdump::dump& dump) {
+void read_lines(jausdump::dump& dump, outputs& out) {
     if (isatty(STDIN_FILENO) == 1)
         std::cerr
             << "jausdump: type messages as hex digits, one a line; Ctrl-D or Ctrl-C ends it, --help explains more\n";
     std::size_t number = 0;
-    jausdump::read_input_lines([&](const std::string& line) { dump.on_line(line, ++number); }, stopped);
+    jausdump::read_input_lines([&](const std::string& line) { dump.on_line(line, ++number); },
+                               [&] { return out.stop(); });
 }
 
 jausdump::jtcp_streams streams_of(jausdump::dump& dump) {
@@ -201,24 +289,24 @@ jausdump::jtcp_streams streams_of(jausdump::dump& dump) {
 }
 
 /// The bytes of a serial line.
-void read_serial(jausdump::dump& dump, const std::string& path) {
+void read_serial(jausdump::dump& dump, const std::string& path, outputs& out) {
     jausdump::origin from{.place = "frame"};
     jausdump::serial_lines line{[&](const auto& frame, const auto&) {
         if (frame.error != jauscat::sae::transport_errc::noise) ++from.number;
         dump.on_serial_frame(frame, from);
     }};
-    jausdump::read_bytes(path, [&](auto part) { line.on_bytes(part, from); }, stopped);
+    jausdump::read_bytes(path, [&](auto part) { line.on_bytes(part, from); }, [&] { return out.stop(); });
     line.finish();
 }
 
-void read_file(jausdump::dump& dump, const std::string& path, const jausdump::object_table& table) {
+void read_file(jausdump::dump& dump, const std::string& path, const jausdump::object_table& table, outputs& out) {
     progress shown;
     const auto skipped = [&](const std::string& reason) { dump.on_skipped(reason); };
     jausdump::capture_listener listener{
         .datagram = [&](auto payload, const auto& from) { dump.on_datagram(payload, from); },
         .skipped = skipped,
         .progress = [&](double part) { shown(part); },
-        .stop = stopped};
+        .stop = [&] { return out.stop(); }};
     jausdump::ethercat_reader ring{
         table,
         {.message =
@@ -236,6 +324,7 @@ void read_file(jausdump::dump& dump, const std::string& path, const jausdump::ob
     listener.serial = [&](auto part, const auto& from) { lines.on_bytes(part, from); };
     const bool wants_ring = table.table != jausdump::translation::none;
     if (wants_ring) listener.ethercat = [&](auto frame, const auto& from) { ring.read(frame, from); };
+    out.follow(listener, false);
     try {
         jausdump::read_capture(path, listener);
     } catch (const jausdump::input_error&) {
@@ -253,9 +342,9 @@ void read_file(jausdump::dump& dump, const std::string& path, const jausdump::ob
                                            "34980; record at the interface of the master, or leave out --ethercat"};
 }
 
-void listen(jausdump::dump& dump, const po::variables_map& values) {
+void listen(jausdump::dump& dump, const po::variables_map& values, outputs& out) {
     const auto port = values["listen"].as<std::uint16_t>();
-    const auto on_datagram = [&](auto payload, const auto& from) { dump.on_datagram(payload, from); };
+    const auto stop = [&] { return out.stop(); };
     std::optional<jausdump::udp_listener> udp;
     try {
         udp.emplace(port, values_of<std::string>(values, "join"));
@@ -264,14 +353,22 @@ void listen(jausdump::dump& dump, const po::variables_map& values) {
         std::cerr << "jausdump: another program has UDP port " << port
                   << ": capturing what it receives and sends; Ctrl-C ends it\n";
         jausdump::jtcp_streams streams = streams_of(dump);
-        capture.run({.datagram = on_datagram,
-                     .tcp = [&](const auto& segment, const auto& from) { streams.on_segment(segment, from); },
-                     .skipped = [&](const std::string& reason) { dump.on_skipped(reason); },
-                     .stop = stopped});
+        jausdump::capture_listener listener{
+            .datagram = [&](auto payload, const auto& from) { dump.on_datagram(payload, from); },
+            .tcp = [&](const auto& segment, const auto& from) { streams.on_segment(segment, from); },
+            .skipped = [&](const std::string& reason) { dump.on_skipped(reason); },
+            .stop = stop};
+        out.follow(listener, true);
+        capture.run(listener);
         return streams.finish();
     }
     std::cerr << "jausdump: listening on UDP port " << udp->port() << "; Ctrl-C ends it\n";
-    udp->run(on_datagram, stopped);
+    udp->run(
+        [&](auto payload, const auto& from) {
+            dump.on_datagram(payload, from);
+            if (out.writer) out.writer->on_datagram(payload, from);
+        },
+        stop);
 }
 
 int read_input(const po::variables_map& values) {
@@ -288,24 +385,30 @@ int read_input(const po::variables_map& values) {
     if (serial && values.count("ethercat") != 0) throw usage_error{"--ethercat does not go with --jserial"};
     const auto table = object_table_from(values);
     if (!file && values.count("ethercat") != 0) throw usage_error{"--ethercat needs a capture"};
-    jausdump::dump dump{options_from(values)};
+    auto how = options_from(values);
+    outputs out;
+    make_outputs(out, values, how);
+    jausdump::dump dump{std::move(how)};
     std::string problem;
     try {
         if (serial)
-            read_serial(dump, values["capture"].as<std::string>());
+            read_serial(dump, values["capture"].as<std::string>(), out);
         else if (file)
-            read_file(dump, values["capture"].as<std::string>(), table);
+            read_file(dump, values["capture"].as<std::string>(), table, out);
         else if (live)
-            listen(dump, values);
+            listen(dump, values, out);
         else
-            read_lines(dump);
+            read_lines(dump, out);
     } catch (const jausdump::input_error& error) {
         if (!dump.has_seen_anything()) throw;
         problem = error.what(); // everything before it is summarised first
     }
-    const bool all_decoded = dump.finish();
+    bool is_good = dump.finish();
+    if (out.writer) out.writer->finish();
+    if (out.top) out.top->finish();
+    if (out.replayer && problem.empty()) is_good = out.replayer->finish(values["format"].as<std::string>() == "json");
     if (!problem.empty()) throw jausdump::input_error{problem};
-    return all_decoded ? example::success : example::failure;
+    return is_good ? example::success : example::failure;
 }
 
 } // namespace
@@ -323,6 +426,15 @@ int main(int argc, char** argv) {
             ("sae", "lines of hex are payloads of SAE JAUS, each from its message ID on")
             ("sae-mobility", po::value<std::string>()->default_value("1.1"),
              "version of the mobility services of SAE that peers speak: 1.0 or 1.1")
+            ("time", po::value<std::string>()->default_value("absolute"),
+             "time of each message: absolute (UTC), relative (since the first one), delta (since the one before) or none")
+            ("top", "show a table of messages by sender instead: how many, how often, the newest bytes")
+            ("sort", po::value<std::string>(), "order of the rows of --top: code (the default), message, source, count, rate or age")
+            ("interval", po::value<double>(),
+             "seconds between two tables of --top; without, 0.5 on a terminal, elsewhere one table at the end")
+            ("write", po::value<std::string>(), "pcap file for the packets with the messages shown")
+            ("replay", po::value<std::string>(), "send the datagrams of CAPTURE to HOST:PORT at the recorded pace, and show none")
+            ("speed", po::value<double>(), "factor of the pace of --replay; 0: without pauses")
             ("hex", "show each message's bytes with their offsets too")
             ("reencode", "add the message encoded again from the decoded values")
             ("translate", po::value<std::string>(), "add the SDO download packet, by the table seed or self-contained")

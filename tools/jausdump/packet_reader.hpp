@@ -20,6 +20,14 @@ inline constexpr int null = 0, ethernet = 1, raw_ip = 12, raw_ip_in_files = 101,
 /// Whether packets of the link type can be read.
 bool has_link_type(int type);
 
+/// A packet as it was captured.
+struct captured_packet {
+    int link_type{};
+    std::chrono::nanoseconds time{}; ///< since 1970, UTC
+    std::span<const std::byte> frame{};
+    std::size_t size{}; ///< bytes on the wire; the frame may be cut
+};
+
 /// Receives the content of a capture.
 struct capture_listener {
     std::function<void(std::span<const std::byte> payload, const origin&)> datagram{};
@@ -29,6 +37,7 @@ struct capture_listener {
     /// Bytes of a serial line; `from` is "TX" or "RX" where the capture tells it. Not set: passed over.
     std::function<void(std::span<const std::byte> part, const origin&)> serial{};
     std::function<void(const std::string& reason)> skipped{}; ///< a frame with none of these
+    std::function<void(const captured_packet&)> packet{};     ///< after what it holds. Not set: passed over
     std::function<void(double part)> progress{};              ///< of the file, 0 to 1
     std::function<bool()> stop{};
 };

@@ -28,6 +28,24 @@ std::string time_text(std::chrono::nanoseconds since_1970, const char* format) {
     return std::string{text.data()} + '.' + digits.substr(1);
 }
 
+/// "12.345678"
+std::string seconds_text(std::chrono::nanoseconds time) {
+    const auto microseconds = std::chrono::round<std::chrono::microseconds>(time).count();
+    std::string digits = std::to_string(microseconds < 0 ? -microseconds : microseconds);
+    if (digits.size() < 7) digits.insert(0, 7 - digits.size(), '0');
+    return (microseconds < 0 ? "-" : "") + digits.insert(digits.size() - 6, 1, '.');
+}
+
+const char* title_of(time_display display) {
+    switch (display) {
+    case time_display::absolute: return "time (UTC)";
+    case time_display::relative: return "time (s)";
+    case time_display::delta: return "delta (s)";
+    case time_display::none: break;
+    }
+    return "";
+}
+
 std::string columns(const std::string& number, const std::string& time, const std::string& code,
                     const std::string& name, const std::string& size, const std::string& from, const std::string& to,
                     const std::string& sequence) {
@@ -131,17 +149,20 @@ std::string dump_line(const json& object) { return object.dump(-1, ' ', false, j
 
 } // namespace
 
-std::string heading(const palette& colour) {
+std::string heading(const palette& colour, time_display display) {
     return colour.bold +
-           columns("number", "time (UTC)", "code", "message", "body", "source", "destination", "sequence") +
+           columns("number", title_of(display), "code", "message", "body", "source", "destination", "sequence") +
            colour.end + "\n";
 }
 
-std::string to_text(const record& message, const palette& colour, bool with_bytes) {
+std::string to_text(const record& message, const time_stamp& stamp, const palette& colour, bool with_bytes) {
     const auto& from = message.origin;
     const std::string indent(text_indent, ' ');
     const auto number = std::to_string(from.number);
-    const auto time = from.time ? time_text(*from.time, "%H:%M:%S") : std::string{};
+    std::string time;
+    if (stamp.value)
+        time =
+            stamp.display == time_display::absolute ? time_text(*stamp.value, "%H:%M:%S") : seconds_text(*stamp.value);
     std::string text;
     if (message.is_message()) {
         const auto name = message.data_set.empty() ? message.name : message.name + " (" + message.data_set + ")";
@@ -185,7 +206,7 @@ std::string to_text(const record& message, const palette& colour, bool with_byte
     return text;
 }
 
-std::string to_json_line(const record& message) {
+std::string to_json_line(const record& message, const time_stamp& time) {
     json object{{"message", nullptr},
                 {"code", nullptr},
                 {"header", nullptr},
@@ -224,7 +245,10 @@ std::string to_json_line(const record& message) {
     }
     if (!message.data_set.empty()) object["data_set"] = message.data_set;
     json from{{message.origin.place, message.origin.number}};
-    if (message.origin.time) from["time"] = time_text(*message.origin.time, "%Y-%m-%dT%H:%M:%S") + "Z";
+    if (time.value && time.display == time_display::absolute)
+        from["time"] = time_text(*time.value, "%Y-%m-%dT%H:%M:%S") + "Z";
+    else if (time.value)
+        from["time"] = std::stod(seconds_text(*time.value));
     if (!message.origin.from.empty()) from["from"] = message.origin.from;
     if (!message.origin.to.empty()) from["to"] = message.origin.to;
     if (!message.origin.object.empty()) from["object"] = message.origin.object;
