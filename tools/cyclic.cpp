@@ -202,7 +202,7 @@ class uploads {
             runs_ = false;
         }
         const auto now = std::chrono::steady_clock::now();
-        if (runs_ || every_ == milliseconds{} || now < due_) return;
+        if (runs_ || !master.idle() || every_ == milliseconds{} || now < due_) return;
         due_ = now + every_;
         const auto station = stations_[next_++ % stations_.size()];
         if (!master.find(station)->mailbox.coe) return;
@@ -219,6 +219,46 @@ class uploads {
     std::size_t next_{};
     bool runs_{};
     std::array<std::byte, 4> value_{};
+};
+
+/// Reports the emergencies of slaves; takes them out of one mailbox after the other.
+class emergency_watch {
+  public:
+    explicit emergency_watch(std::vector<std::uint16_t> stations) : stations_{std::move(stations)} {}
+
+    void work(ethercat::master& master) {
+        for (const auto& slave : master.slaves()) {
+            if (slave.emergencies.kept().empty()) continue;
+            for (const auto& each : slave.emergencies.kept()) report(slave.station, each);
+            master.clear_emergencies(slave.station);
+        }
+        const auto now = std::chrono::steady_clock::now();
+        if (!master.idle() || now < due_) return;
+        due_ = now + every;
+        const auto station = stations_[next_++ % stations_.size()];
+        if (master.find(station)->mailbox.coe)
+            static_cast<void>(master.start(ethercat::collect_emergencies{station})); // else the next time
+    }
+
+  private:
+    static constexpr milliseconds every{100};
+
+    static void report(std::uint16_t station, const ethercat::coe_emergency& emergency) {
+        using namespace jauscat::text;
+        example::write_event(example::events::slave_emergency,
+                             {{"station", station},
+                              {"error_code", emergency.error_code},
+                              {"error_register", emergency.error_register},
+                              {"data", hex(emergency.data)}},
+                             example::bad("cyclic: slave " + std::to_string(station) + ": emergency: error code " +
+                                          hex_number(emergency.error_code, 4) + ", error register " +
+                                          hex_number(emergency.error_register, 2) + ", data " + hex(emergency.data)) +
+                                 "\n");
+    }
+
+    std::vector<std::uint16_t> stations_;
+    std::chrono::steady_clock::time_point due_{};
+    std::size_t next_{};
 };
 
 /// Reports when a slave stops running, and when it runs again.
@@ -403,6 +443,7 @@ int measure(jauscat::net::any_link& link, const auto& values) {
     const auto overruns_before = cycles.overruns();
     const auto end = std::chrono::steady_clock::now() + seconds{values["seconds"].template as<unsigned>()};
     uploads mailbox{stations, milliseconds{values["upload-every"].template as<unsigned>()}};
+    emergency_watch emergencies{stations};
     slave_watch slaves{master, data, std::max<std::chrono::nanoseconds>(longest_silence, 3 * period)};
     const auto result = std::make_unique<measurement>();
     while (!example::stop_requested && std::chrono::steady_clock::now() < end) {
@@ -411,6 +452,7 @@ int measure(jauscat::net::any_link& link, const auto& values) {
         }));
         if (watches) slaves.look();
         mailbox.work(master, *result);
+        emergencies.work(master);
     }
 
     const auto processor = processor_time() - processor_before;

@@ -20,6 +20,20 @@ struct bench {
 
 } // namespace
 
+TEST_CASE("emergencies that wait in a mailbox are printed when it is used") {
+    bench b;
+    REQUIRE(run("state pre-op --slave 1 --yes" + on(b.ring)).code == done);
+    b.ring.with(1, [](auto& each) {
+        CHECK(each.slave.send_emergency(
+            {.error_code = 0x8110, .error_register = 0x11, .data = {std::byte{1}, std::byte{2}}}));
+    });
+    const auto ended = run("read 0x1008 --slave 1" + on(b.ring));
+    INFO(ended.err);
+    CHECK(ended.code == done);
+    CHECK(ended.complains("emergency: error code 0x8110, error register 0x11, data 01 02 00 00 00\n"));
+    CHECK_FALSE(run("read 0x1008 --slave 1" + on(b.ring)).complains("emergency"));
+}
+
 TEST_CASE("read shows entries of objects, and a slave in INIT is in INIT again") {
     bench b;
     const auto ended = run("read 0x1008 0x1018:0-4 --slave 1 --format json" + on(b.ring));

@@ -254,6 +254,9 @@ TEST_CASE("emulated slaves send emergencies at the request of a line") {
     CHECK(bus.has("line_refused", {{"line", "hello"}}));
     auto& master = r.run(0, "cyclic", cyclic_options(r, {"--seconds", "1", "--upload-every", "10"}));
     CHECK(master.has("measured", {{"failed_uploads", 0}}));
+    CHECK(
+        master.has("slave_emergency", {{"error_code", 0x8110}, {"error_register", 0x11}, {"data", "01 02 00 00 00"}}));
+    CHECK(master.has("slave_emergency", {{"error_code", 0x100}, {"data", "00 00 00 00 00"}}));
     bus.wait_for("emergency_sent", {{"slave", 1}, {"error_code", 0x8110}, {"error_register", 0x11}});
     bus.wait_for("emergency_sent", {{"slave", 0}, {"error_code", 0x100}, {"data", "00 00 00 00 00"}});
 }

@@ -7,6 +7,7 @@
 #include <jauscat/ethercat/master/object_descriptions.hpp>
 #include <jauscat/ethercat/master/sdo_information.hpp>
 #include <jauscat/net/now.hpp>
+#include <jauscat/text/hex.hpp>
 #include <jauscat/text/master_error_text.hpp>
 
 #include <array>
@@ -60,8 +61,9 @@ struct coe_mailbox::state {
     std::optional<bytes> managers_before{}; // of a slave that was in INIT
     bool has_no_descriptions{};
 
-    /// Runs one session; throws `coe_failure`.
+    /// Runs one session, and prints the emergencies that came meanwhile; throws `coe_failure`.
     template <class Protocol> std::size_t run(const Protocol& protocol, const std::string& what) {
+        const notes_emergencies at_the_end{*this};
         const ethercat::master_config config{};
         ethercat::mailbox_session<Protocol> session;
         session.begin(record, protocol);
@@ -95,6 +97,18 @@ struct coe_mailbox::state {
         }
         if (!session.result()) fail(session.result().error());
         return *session.result();
+    }
+
+    struct notes_emergencies {
+        state& of;
+        ~notes_emergencies() { of.note_emergencies(); }
+    };
+    void note_emergencies() {
+        for (const auto& each : record.emergencies.kept())
+            note(on.name_of(position) + ": emergency: error code " + hex(each.error_code, 4) + ", error register " +
+                 hex(each.error_register, 2) + ", data " + jauscat::text::hex(each.data));
+        if (record.emergencies.overflow()) note(on.name_of(position) + ": it has sent more emergencies before these");
+        record.emergencies.clear();
     }
 
     void open() {
