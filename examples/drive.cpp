@@ -24,7 +24,10 @@ asio::awaitable<void> drive(jauscat::component& unit, jaus::address driver) {
     const auto show = [](std::string_view what, const jaus::report_wrench_effort& report) {
         if (const auto& x = report.propulsive_linear_effort_x) std::cout << what << *x << " %\n";
     };
-    show("in force: ", co_await unit.async_ask(driver, jaus::query_wrench_effort{0x0001}));
+    const auto in_force = co_await unit.async_ask(driver, jaus::query_wrench_effort{0x0001},
+                                                  asio::redirect_error(asio::use_awaitable, why));
+    if (why) throw boost::system::system_error{why, "Report Wrench Effort"}; // names what was awaited
+    show("in force: ", in_force);
     auto efforts = co_await unit.async_connect<jaus::report_wrench_effort>(driver, {.rate = 20});
     for (int i = 0; i != 3; ++i) show("reported: ", co_await efforts.async_next());
 }

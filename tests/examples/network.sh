@@ -98,6 +98,11 @@ a_coroutine_drives() { # drive
     expect 0 "no answer in time: the reports show" "$bin/drive" "${config[@]}" --this a
     grep -qFx "in force: 50.0015 %" "$work/out.log" || fail "its report is not shown"
     [ "$(grep -c "reported: 50.0015 %" "$work/out.log")" -eq 3 ] || fail "not three reports of the peer"
+    kill "$server"
+    wait "$server" || true
+    # One that never reports: the report that was awaited is named.
+    start "silent peer: ready" python3 "$(dirname "$0")/../nodes/silent_peer.py" 39778 39777 mute 1
+    expect 1 "Report Wrench Effort: no answer in time" "$bin/drive" "${config[@]}" --this a
 }
 a_bridge_carries() { # bridge
     local config=(--config "$bin/JausConfig.xml") ocu=("$bin/ocu" --config "$bin/JausConfig.xml" --this a --to 2.1.33.1)
