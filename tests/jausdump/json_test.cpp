@@ -146,6 +146,9 @@ TEST_CASE("presence bits that stand for no field are ignored and told") {
     CHECK(object.at("presence_vector") == "0x0001");
     CHECK(object.at("ignored_presence_bits") == "0xF000");
     CHECK_FALSE(object.contains("error"));
+    // Query Vector Knowledge Store Objects: the vector of the report behind its own is not the message's.
+    CHECK_FALSE(object_of("0602 232a 01210202 01200101 0300 2200 00 95 01").contains("ignored_presence_bits"));
+    CHECK(object_of("0602 232a 01210202 01200101 0300 2200 80 95 01").at("ignored_presence_bits") == "0x80");
     CHECK_FALSE(object_of("0602 0504 01210202 01200101 0400 2200 0100 0040").contains("ignored_presence_bits"));
 }
 

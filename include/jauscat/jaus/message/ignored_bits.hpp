@@ -20,7 +20,8 @@ struct presence_vector_place {
     std::uint32_t fields{};       ///< bits that stand for a field
 };
 
-/// All of them, by command code. Query Mission Status is left out: what its vector means is open.
+/// All of them, by command code. Two vectors are left out because their bits are not all known: that of Query Mission
+/// Status, and in Query Vector Knowledge Store Objects that of the report, which is behind the message's own.
 inline constexpr std::array presence_vectors = std::to_array<presence_vector_place>({
     // clang-format off
     {0x0011, 0, 1, 0x3}, // set_time
@@ -59,7 +60,6 @@ inline constexpr std::array presence_vectors = std::to_array<presence_vector_pla
     {0x2805, 0, 2, 0x7FFF}, // query_camera_capabilities
     {0x2806, 0, 1, 0x7F}, // query_camera_format_options
     {0x2A23, 0, 1, 0x7F}, // query_vector_knowledge_store_objects
-    {0x2A23, 1, 1, 0x1}, // query_vector_knowledge_store_objects
     {0x4011, 0, 1, 0x3}, // report_time
     {0x4400, 0, 4, 0x1FFFFF}, // report_platform_specifications
     {0x4401, 0, 1, 0x1F}, // report_platform_operational_data
