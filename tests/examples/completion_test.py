@@ -9,7 +9,9 @@ import sys
 import tempfile
 
 generator, *programs = sys.argv[1:]
-values = {"jausdump": {"--format": ["json", "text"], "--translate": ["seed", "self-contained"]},
+values = {"jausdump": {"--format": ["json", "text"], "--translate": ["seed", "self-contained"],
+                       "--time": ["absolute", "delta", "none", "relative"],
+                       "--sort": ["age", "code", "count", "message", "rate", "source"]},
           "communicator": {"--type": ["operator", "other", "vehicle"], "--log-format": ["json", "text"]},
           "jauscat-esi": {"--index-base": ["0x2000", "0x6900", "6900"]}}
 wrong = []

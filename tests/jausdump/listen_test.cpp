@@ -120,6 +120,32 @@ TEST_CASE("messages at a port are shown as JSON with the sender's address; an un
     REQUIRE(object.at("origin").at("time").get<std::string>().size() == 27);
 }
 
+TEST_CASE("messages at a port are written as a capture that shows the same, and is whole after each of them") {
+    const dump_test::scratch files;
+    const auto file = files / "port.pcap";
+    listening_program program{{"--format", "json", "--write", file}};
+    program.send(prefix + status);
+    program.send("ff");
+    program.send("02 00 1100 01 06050400 03020100 0d0023 0700");
+    program.wait_for_output("RequestControl");
+    REQUIRE(program.end(SIGINT) == 0);
+    std::vector<dump_test::json> shown, read = dump_test::run("--format json " + file).objects();
+    std::istringstream lines{program.output()};
+    for (std::string line; std::getline(lines, line);) shown.push_back(dump_test::json::parse(line));
+    REQUIRE(shown.size() == 2);
+    for (auto* all : {&shown, &read})
+        for (auto& object : *all) object.at("origin").erase("packet");
+    REQUIRE(read == shown);
+
+    listening_program killed{{"--write", file}};
+    killed.send(status);
+    killed.send(status);
+    const auto written = [&] { return dump_test::run("--format json " + file).lines().size(); };
+    for (int i = 0; i != 600 && written() != 2; ++i) std::this_thread::sleep_for(std::chrono::milliseconds{50});
+    killed.end(SIGKILL);
+    REQUIRE(written() == 2);
+}
+
 TEST_CASE("messages of SAE JAUS and of the RA at one port are shown on arrival") {
     listening_program program{{"--format", "json"}};
     program.send("02 00 1100 01 06050400 03020100 0d0023 0700");

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
@@ -44,11 +45,18 @@ class terminal_program {
         if (::write(terminal_, keys.data(), keys.size()) != static_cast<ssize_t>(keys.size()))
             throw std::runtime_error{"the terminal takes no keys"};
     }
+    /// The window has another size.
+    void resize(unsigned short columns, unsigned short rows) const {
+        const winsize size{.ws_row = rows, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
+        if (::ioctl(terminal_, TIOCSWINSZ, &size) != 0) throw std::runtime_error{"the terminal has no size"};
+    }
     /// Waits for `text` behind all that was waited for before.
     void wait_for(std::string_view text) {
         std::size_t found{};
+        const auto end = std::chrono::steady_clock::now() + std::chrono::minutes{1};
         while ((found = seen_.find(text, waited_)) == std::string::npos)
-            if (!read_some()) throw std::runtime_error{"not seen: " + std::string{text} + "\nbut: " + seen_};
+            if (!read_some() || std::chrono::steady_clock::now() > end)
+                throw std::runtime_error{"not seen: " + std::string{text} + "\nbut: " + seen_};
         waited_ = found + text.size();
     }
     /// Waits for the end; -1 after a signal.

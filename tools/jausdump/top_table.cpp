@@ -12,8 +12,8 @@ constexpr std::size_t most_bytes = 256;              // kept of a body
 constexpr std::size_t most_bytes_without_width = 32; // shown
 constexpr std::size_t most_recent = 17;              // times: 16 intervals
 constexpr std::chrono::nanoseconds mark_time = std::chrono::seconds{2};
-constexpr std::size_t longest_name = 38, shortest_name = 12;
-constexpr std::size_t other_columns = 7 + 1 + 16 + 9 + 9 + 8 + 7 + 2; // all but name and bytes
+constexpr std::size_t longest_name = 38, shortest_name = 12, longest_source = 16, shortest_source = 7;
+constexpr std::size_t other_columns = 7 + 1 + 8 + 8 + 8 + 6 + 2; // all but name, source and bytes
 
 double seconds(std::chrono::nanoseconds time) { return std::chrono::duration<double>{time}.count(); }
 
@@ -24,16 +24,20 @@ std::string fitted(std::string text, std::size_t width, bool right = false) {
     return text;
 }
 
-std::size_t name_width(const top_style& style) {
-    if (style.width == 0) return longest_name;
-    const std::size_t left = style.width > other_columns ? style.width - other_columns : 0;
-    return std::clamp(left / 2, shortest_name, longest_name);
+std::string columns(const std::array<std::string, 7>& cells, std::size_t name_width, std::size_t source_width) {
+    const auto& [code, name, source, count, rate, age, size] = cells;
+    return fitted(code, 7) + fitted(name, name_width) + " " + fitted(source, source_width) + fitted(count, 8, true) +
+           fitted(rate, 8, true) + fitted(age, 8, true) + fitted(size, 6, true) + "  ";
 }
 
-std::string columns(const std::array<std::string, 7>& cells, const top_style& style) {
-    const auto& [code, name, source, count, rate, age, size] = cells;
-    return fitted(code, 7) + fitted(name, name_width(style)) + " " + fitted(source, 16) + fitted(count, 9, true) +
-           fitted(rate, 9, true) + fitted(age, 8, true) + fitted(size, 7, true) + "  ";
+std::array<std::uint16_t, 4> id_of(const record& message) {
+    if (message.head) {
+        const auto& id = message.head->source;
+        return {id.subsystem, id.node, id.component, id.instance};
+    }
+    if (!message.sae || !message.sae->header) return {};
+    const auto& id = message.sae->header->source;
+    return {id.subsystem, id.node, id.component, 0};
 }
 
 std::string source_of(const record& message) {
@@ -58,6 +62,7 @@ void top_table::add(const record& message) {
     one.code = key[0];
     one.name = key[1];
     one.source = key[2];
+    one.id = id_of(message);
     one.is_sae = message.sae.has_value();
     const auto at = message.origin.time;
     if (at) {
@@ -105,7 +110,7 @@ std::vector<const top_table::row*> top_table::sorted(time now, top_order order) 
     switch (order) {
     case top_order::code: break;
     case top_order::message: by([](const row& one) { return one.name; }); break;
-    case top_order::source: by([](const row& one) { return one.source; }); break;
+    case top_order::source: by([](const row& one) { return one.id; }); break;
     case top_order::count: by([](const row& one) { return SIZE_MAX - one.count; }); break;
     case top_order::rate: by([&](const row& one) { return -rate_of(one, now).value_or(0); }); break;
     case top_order::age: by([&](const row& one) { return now - one.last.value_or(time{}); }); break;
@@ -113,12 +118,25 @@ std::vector<const top_table::row*> top_table::sorted(time now, top_order order) 
     return all;
 }
 
-std::string top_table::line_of(const row& one, time now, const top_style& style) const {
+top_table::widths top_table::widths_for(const std::vector<const row*>& all, const top_style& style) {
+    if (style.width == 0) return {.name = longest_name, .source = longest_source};
+    std::size_t name = 0, source = 0;
+    for (const auto* const one : all) {
+        name = std::max(name, one->name.size());
+        source = std::max(source, one->source.size() + 1);
+    }
+    source = std::clamp(source, shortest_source, longest_source);
+    const std::size_t left = style.width > other_columns + source ? style.width - other_columns - source : 0;
+    name = std::clamp(name, shortest_name, longest_name);
+    return {.name = std::clamp(left / 2, shortest_name, name), .source = source};
+}
+
+std::string top_table::line_of(const row& one, time now, const top_style& style, const widths& width) const {
     const auto rate = rate_of(one, now);
     std::string line =
         columns({one.code, one.name, one.source, std::to_string(one.count), rate ? fixed_text(*rate, 2) : "-",
                  one.last ? fixed_text(std::max(0.0, seconds(now - *one.last)), 1) : "-", std::to_string(one.size)},
-                style);
+                width.name, width.source);
     std::size_t shown = most_bytes_without_width;
     if (style.width != 0) shown = style.width > line.size() ? (style.width - line.size()) / 3 : 0;
     shown = std::min(shown, one.bytes.size());
@@ -142,11 +160,14 @@ std::string top_table::line_of(const row& one, time now, const top_style& style)
 std::vector<std::string> top_table::lines(time now, top_order order, const top_style& style, std::size_t begin,
                                           std::size_t count) const {
     const auto marks = style.has_colours() ? "body, changed bytes in reverse" : "body, * behind changed bytes";
-    auto heading = columns({"code", "message", "source", "count", "per s", "age (s)", "size"}, style) + marks;
+    const auto all = sorted(now, order);
+    const auto width = widths_for(all, style);
+    auto heading =
+        columns({"code", "message", "source", "count", "per s", "age (s)", "size"}, width.name, width.source) + marks;
     if (style.width != 0 && heading.size() > style.width) heading.resize(style.width);
     std::vector<std::string> made{style.colours.bold + heading + style.colours.end};
-    const auto all = sorted(now, order);
-    for (std::size_t i = begin; i < all.size() && i - begin < count; ++i) made.push_back(line_of(*all[i], now, style));
+    for (std::size_t i = begin; i < all.size() && i - begin < count; ++i)
+        made.push_back(line_of(*all[i], now, style, width));
     return made;
 }
 

@@ -40,6 +40,7 @@ class top_table {
   private:
     struct row {
         std::string code{}, name{}, source{};
+        std::array<std::uint16_t, 4> id{}; ///< of the source
         bool is_sae{};
         std::size_t count{}, size{};
         std::optional<time> first{}, last{};
@@ -50,7 +51,12 @@ class top_table {
     [[nodiscard]] std::vector<const row*> sorted(time now, top_order order) const;
     [[nodiscard]] std::optional<double> rate_of(const row& one, time now) const;
     [[nodiscard]] bool is_marked(const row& one, std::size_t byte, time now) const;
-    [[nodiscard]] std::string line_of(const row& one, time now, const top_style& style) const;
+    /// Of the columns that follow the window.
+    struct widths {
+        std::size_t name{}, source{};
+    };
+    static widths widths_for(const std::vector<const row*>& all, const top_style& style);
+    [[nodiscard]] std::string line_of(const row& one, time now, const top_style& style, const widths& width) const;
 
     bool live_;
     std::map<std::array<std::string, 3>, row> rows_{}; ///< by code, name and source
