@@ -89,7 +89,7 @@ TEST_CASE("parts of messages in several packets are written whatever the filters
                               "40 11 0000 0a000001 0a000002 " + part);
     };
     write_capture(capture, dump_test::link_ethernet,
-                  {fragment("2000", whole.substr(0, 32)), fragment("0002", whole.substr(32)),
+                  {fragment("2000", whole.substr(0, 16 * 3)), fragment("0002", whole.substr(16 * 3)),
                    ethernet_frame(udp_packet(first_part)), ethernet_frame(udp_packet(last_part)),
                    ethernet_frame(udp_packet(control))});
     require_same_of_copy(capture, "", 5);

@@ -158,7 +158,8 @@ void top::draw() {
     first_row_ = std::min(first_row_, rows > height ? rows - height : 0);
     auto lines =
         table_.lines(now(), how_.order, {.width = size.ws_col, .colours = example::colours()}, first_row_, height);
-    std::string status = "jausdump: " + std::to_string(table_.messages()) + " messages";
+    std::string status =
+        "jausdump: " + std::to_string(table_.messages()) + (table_.messages() == 1 ? " message" : " messages");
     if (rows > height)
         status += ", rows " + std::to_string(first_row_ + 1) + " to " + std::to_string(first_row_ + height) + " of " +
                   std::to_string(rows) + " (arrows, Page Up, Page Down)";
