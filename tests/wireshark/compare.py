@@ -121,8 +121,14 @@ def require_list(wanted, fields, name):
             require_fields(one, field, name)
 
 
-def has_expert_info(element):
-    return any(one.get("name") == "_ws.expert" for one in element.iter("field"))
+def has_expert_info(element, name="_ws.expert"):
+    return any(one.get("name") == name for one in element.iter("field"))
+
+
+def holds_a_message(proto):
+    """Whether another message is in a field of the message."""
+    codes = ("jaus.command_code", "jaus.message_id")
+    return sum(one.get("name") in codes for one in proto.iter("field")) > 1
 
 
 def require_message(record, proto):

@@ -20,13 +20,15 @@ local experts = {
     truncated = ProtoExpert.new("jaus.truncated", "Truncated", expert.group.MALFORMED, expert.severity.ERROR),
     trailing = ProtoExpert.new("jaus.trailing", "Trailing bytes", expert.group.MALFORMED, expert.severity.WARN),
     out_of_range = ProtoExpert.new("jaus.out_of_range", "Out of range", expert.group.PROTOCOL, expert.severity.WARN),
+    outside_values = ProtoExpert.new("jaus.outside_values", "Outside its values", expert.group.PROTOCOL,
+        expert.severity.WARN),
     unknown = ProtoExpert.new("jaus.unknown", "Unknown", expert.group.UNDECODED, expert.severity.WARN),
     malformed = ProtoExpert.new("jaus.malformed", "Malformed", expert.group.MALFORMED, expert.severity.ERROR),
     refused = ProtoExpert.new("jaus.refused", "Refused by a slave or its master", expert.group.RESPONSE_CODE,
         expert.severity.NOTE),
 }
-jaus.experts = {experts.truncated, experts.trailing, experts.out_of_range, experts.unknown, experts.malformed,
-    experts.refused}
+jaus.experts = {experts.truncated, experts.trailing, experts.out_of_range, experts.outside_values, experts.unknown,
+    experts.malformed, experts.refused}
 
 -- Fields ------------------------------------------------------------------------------------------------------------
 
@@ -283,6 +285,15 @@ local function look_up(scope, reference)
     return value
 end
 
+-- Of a form with a value set.
+local function check_values(form, value, item)
+    if not form.values then return end
+    for _, range in ipairs(form.values) do
+        if value >= range[1] and value <= range[2] then return end
+    end
+    item:add_proto_expert_info(experts.outside_values, ("Outside its values: %.0f"):format(value))
+end
+
 function readers.integer(node, data, tree)
     local range = take(data, node.size, tree, node.title)
     local value = integer_of(range, node.form.signed)
@@ -293,6 +304,7 @@ function readers.integer(node, data, tree)
     elseif node.form.names and not names[node.form.names][value] then
         item:add_proto_expert_info(experts.unknown, ("Unknown: %d has no meaning"):format(value))
     end
+    check_values(node.form, value, item)
     return value
 end
 
@@ -453,11 +465,14 @@ function read_structure(structure, data, tree, outer)
                 word_value = integer_of(word)
             end
             local value = math.floor(word_value / 2 ^ member.first) % 2 ^ node.width
+            local item
             if member.carrier <= 32 then
-                tree:add_le(node.field, word)
+                item = tree:add_le(node.field, word)
             else
-                tree:add(node.field, word, UInt64.new(value % 2 ^ 32, math.floor(value / 2 ^ 32)))
+                item = tree:add(node.field, word, UInt64.new(value % 2 ^ 32, math.floor(value / 2 ^ 32)))
             end
+            local is_negative = node.form.signed and value >= 2 ^ (node.width - 1)
+            check_values(node.form, is_negative and value - 2 ^ node.width or value, item)
             scope.values[node.name] = value
             if member.ends then word = nil end
         elseif member.vector then

@@ -107,6 +107,13 @@ class table_writer {
         if (is.what == meaning::boolean) line += ",boolean=true";
         if (is.what == meaning::enumeration) line += ",names=" + names(is.names);
         if (is.what == meaning::flags) line += ",flags=" + names(is.names);
+        if (is.values.empty()) return line;
+        const auto told = [&](std::uint64_t one) {
+            return is.is_signed ? std::to_string(static_cast<std::int64_t>(one)) : std::to_string(one);
+        };
+        line += ",values={";
+        for (const auto [least, most] : is.values) line += "{" + told(least) + "," + told(most) + "},";
+        line.back() = '}';
         return line;
     }
     static std::string told(const text::real_form& is) {
