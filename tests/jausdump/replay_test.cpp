@@ -103,7 +103,7 @@ TEST_CASE("a closed port is named, and the other datagrams are sent") {
     CHECK(result.err.find(target + ": Connection refused: no program receives there; sending goes on\n") !=
           std::string::npos);
     CHECK(result.says("3 datagrams (68 bytes) sent"));
-    CHECK(result.says("refused by the host"));
+    CHECK(result.says("refused: closed port, or not reachable\n"));
 }
 
 TEST_CASE("a wrong host, a capture without datagrams and options that do not fit are refused") {

@@ -89,7 +89,7 @@ TEST_CASE("options of the table that do not fit are refused") {
     };
     says("--sort rate", "--sort needs --top");
     says("--interval 1", "--interval needs --top");
-    says("--top --interval -1", "--interval must be 0 or more");
+    says("--top --interval -1", "--interval must be above 0");
     says("--top --sort size", "--sort must be code or message");
     says("--top --summary", "--summary does not go with --top");
 }

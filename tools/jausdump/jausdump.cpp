@@ -41,14 +41,14 @@ Other objects and mailbox protocols are counted. Octets of a JAUS ID that are no
 slave fills in: with the seed table the subsystem of --subsystem and instance 1. An unknown octet is 0, such as the
 node of a slave whose station address is above 254. Messages of SAE JAUS are in the objects of the table sae.
 
-Table (--top): one row for each message and sender, with the first bytes of the newest body; bytes that change are in
-reverse, or have * behind them without colours. Keys: q ends, c m s n r a sort by code, message, source, count (n), rate,
-age; arrows and Page Up and Down scroll. Of a capture, and where the output is no terminal, the table is printed at the
-end.
+Table (--top): one row for each message and sender, with the first bytes of the newest body. Bytes that change are in
+reverse, without colours they have * behind them. Keys: q ends; c m s n r a sort by code, message, source, count (n),
+rate, age; arrows, Page Up and Page Down scroll. Of a capture, and where the output is no terminal, the table is printed
+at the end. With --format json each row is an object, with rate and age, and changed: the numbers of changed bytes.
 
 File (--write): packets of captures as they were, datagrams of a port with Ethernet, IP and UDP headers made for them. A
-packet is written if one of its messages passes the filters; parts of messages in several packets (IPv4 fragments, packets
-of SAE JAUS, TCP segments, serial data, EtherCAT frames) always. Ctrl-C leaves a whole file.
+packet is written if one of its messages passes the filters. Parts of messages in several packets (IPv4 fragments,
+packets of SAE JAUS, TCP segments, serial data, EtherCAT frames) always are. Ctrl-C leaves a whole file.
 
 Replay (--replay): sends each datagram with a message that passes the filters, unchanged. TCP streams and serial lines
 are counted and not sent. Datagrams that a closed port refuses are counted, and the others are sent.
@@ -74,7 +74,8 @@ Examples:
 JSON: one object for each line, with message, code, header, presence_vector, fields; then hex (--reencode), packet
 (--translate, or the name of the error), error (error, field, and byte counted from the header), bytes (of a message
 that was not decoded), outside_values (fields with values that the standard does not define), ignored_presence_bits (that
-stand for no field), dropped (bytes that no field holds), data_set, refusal (by, what, code, text), origin. Of SAE JAUS the code is the message ID, header that of the transport or null,
+stand for no field), dropped (bytes that no field holds), data_set, refusal (by, what, code, text), origin (its time in
+seconds with --time relative and delta). Of SAE JAUS the code is the message ID, header that of the transport or null,
 byte is counted from there or from the message ID, and generation "SAE" and payload_size stand before data_set.
 
 Exit code: 0 if all was decoded, 1 if a message was malformed, unknown or incomplete, 2 for a wrong command line or
@@ -225,13 +226,10 @@ void make_outputs(outputs& made, const po::variables_map& values, jausdump::opti
     for (const std::string name : {"top", "write", "summary", "ethercat"})
         if (has("replay") && has(name.c_str())) throw usage_error{"--" + name + " does not go with --replay"};
     if (has("top") && has("summary")) throw usage_error{"--summary does not go with --top"};
-    const auto not_negative = [&](const char* name, double preset) {
-        const double number = has(name) ? values[name].as<double>() : preset;
-        if (!(number >= 0)) throw usage_error{"--" + std::string{name} + " must be 0 or more"};
-        return number;
-    };
     if (has("replay")) {
-        made.replayer.emplace(values["replay"].as<std::string>(), not_negative("speed", 1), stopped);
+        const double speed = has("speed") ? values["speed"].as<double>() : 1;
+        if (!(speed >= 0)) throw usage_error{"--speed must be 0 or more"};
+        made.replayer.emplace(values["replay"].as<std::string>(), speed, stopped);
         made.replayer->follow(how);
     }
     if (has("top")) {
@@ -244,7 +242,9 @@ void make_outputs(outputs& made, const po::variables_map& values, jausdump::opti
                                              {"count", top_order::count},
                                              {"rate", top_order::rate},
                                              {"age", top_order::age}});
-        if (has("interval")) table.interval_s = not_negative("interval", 0);
+        if (has("interval")) table.interval_s = values["interval"].as<double>();
+        if (const auto each = table.interval_s; each && !(*each > 0 && *each <= 86400))
+            throw usage_error{"--interval must be above 0, up to 86400 seconds"};
         made.top.emplace(table);
         made.top->follow(how);
     }

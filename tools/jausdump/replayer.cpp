@@ -162,7 +162,8 @@ bool replayer::finish(bool as_json) {
         const auto tell = [](std::size_t count, const std::string& what, const std::string& why) {
             if (count != 0) std::cout << counted(count, what) << why << "\n";
         };
-        tell(refused_, "datagram", " refused by the host at least: closed port, or not reachable");
+        if (refused_ != 0)
+            std::cout << "at least " << counted(refused_, "datagram") << " refused: closed port, or not reachable\n";
         tell(too_large_, "datagram", " not sent: too large for the network");
         tell(passed_over_, "datagram", " passed over: not JAUS, or not chosen by the filters");
         tell(of_tcp_, "segment", " of TCP with messages not sent: only datagrams are");
