@@ -202,3 +202,21 @@ TEST_CASE("a capture of a serial line is shown, both directions apart") {
     dump_test::write_capture(files / "short", dump_test::link_rtac_serial, {"3b9aca00"});
     CHECK(run(files / "short").says("1 skipped: shorter than its RTAC serial header"));
 }
+
+TEST_CASE("messages of TCP streams are counted by a replay, and their segments written whatever the filters are") {
+    const scratch files;
+    const auto capture = files / "capture", copy = files / "copy";
+    const auto stream = "02" + request + query;
+    dump_test::write_capture(capture, dump_test::link_raw,
+                             {segment(99, "", syn), segment(100, part_of(stream, 0, 9)),
+                              segment(109, part_of(stream, 9)), dump_test::udp_packet("02" + request)});
+    const auto replayed = run(capture + " --format json --speed 0 --replay 127.0.0.1:9"); // discard
+    REQUIRE(replayed.objects().size() == 1);
+    CHECK(replayed.objects()[0].at("sent") == 1);
+    CHECK(replayed.objects()[0].at("tcp") == 1);
+    REQUIRE(run(capture + " --code 2002 --write " + copy).code == 0);
+    const auto read = run("--format json " + copy).objects();
+    REQUIRE(read.size() == 2);
+    CHECK(read[0].at("code") == "0x000D");
+    CHECK(read[1].at("code") == "0x2002");
+}
