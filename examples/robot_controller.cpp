@@ -3,6 +3,7 @@
 #include "robot_controller/narrator.hpp"
 #include <jauscat/app.hpp>
 #include <jauscat/app/own_table.hpp>
+#include <jauscat/catalogue/ra_3_3.hpp>
 
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -18,12 +19,12 @@ namespace example {
 class front {
   public:
     // [front]
-    front(const place& at, const values_map& values, std::deque<front>& all)
+    front(const place& at, const values_map& values, std::deque<front>& all, jauscat::net::live_feed* feed)
         : config_{at.config},
           say_{at.name.empty() ? "controller" : "controller " + at.name, {{"system", config_.this_system}}},
           log_{say_, at.name},
           options_{bridge_options_of(values)},
-          node_{log_.of_node(node_options_of(at, values))},
+          node_{watched(log_.of_node(node_options_of(at, values)), feed)},
           bus_{node_.context(), at.link, log_.of_bus(bus_options_of(at, values))} {
         say_(events::link_opened, {{"link", describe_link(at.link)}}, describe_link(at.link));
         const auto connect = [&]<class Table>() { return bridge_.emplace(node_, bus_, Table{}, options_), success; };
@@ -112,9 +113,11 @@ int main(int argc, char** argv) {
     return run("robot_controller", [&] {
         const auto values = parse(argc, argv, controller_options(), controller_help);
         const auto places = places_of(values);
+        live_view view{"robot_controller", values, places.front().config.this_system, jauscat::catalogue::ra_3_3()};
         std::deque<front> fronts;
-        for (const auto& at : places) fronts.emplace_back(at, values, fronts);
+        for (const auto& at : places) fronts.emplace_back(at, values, fronts, view.make_feed());
         if (std::ranges::any_of(places, [](const auto& at) { return is_raw_link(at.link); })) give_up_privileges();
+        view.start();
         return run_all(fronts, std::chrono::milliseconds{values["wait"].as<unsigned>()});
     });
 }
