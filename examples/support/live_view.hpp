@@ -2,15 +2,14 @@
 #pragma once
 #include "support/program.hpp"
 #include "support/say.hpp"
-#include <jauscat/app/node_options.hpp>
 #include <jauscat/net/live/live_server.hpp>
-#include <jauscat/text/message_name.hpp>
 #include <jauscat/version.hpp>
 
 #include <charconv>
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -84,10 +83,15 @@ class live_view {
         server_->add(feeds_.emplace_back());
         return &feeds_.back();
     }
-    /// After all feeds are made, and after the program has given up its privileges. Logs the link.
+    /// After all feeds are made, and after the program has given up its privileges.
     void start() {
+        if (server_) server_->start();
+    }
+    /// The page's address; empty without --web.
+    [[nodiscard]] std::string link() const { return server_ ? server_->link() : std::string{}; }
+    /// Logs it.
+    void tell() const {
         if (!server_) return;
-        server_->start();
         write_event(events::web_opened, {{"link", server_->link()}},
                     program_ + ": live view at " + server_->link() + "\n");
     }
@@ -97,21 +101,5 @@ class live_view {
     std::deque<jauscat::net::live_feed> feeds_{};
     std::optional<jauscat::net::live_server> server_{};
 };
-
-/// Has `feed` get the messages, too; nullptr: nothing.
-inline jauscat::node_options watched(jauscat::node_options options, jauscat::net::live_feed* feed) {
-    using jauscat::net::live_way;
-    if (feed == nullptr) return options;
-    options.on_received = [feed, more = std::move(options.on_received)](const auto& component, const auto& head,
-                                                                        auto body) {
-        feed->message(live_way::received, head, body);
-        if (more) more(component, head, body);
-    };
-    options.on_sent = [feed, more = std::move(options.on_sent)](std::span<const std::byte> message) {
-        feed->message(live_way::sent, message);
-        if (more) more(message);
-    };
-    return options;
-}
 
 } // namespace example

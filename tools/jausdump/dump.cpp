@@ -250,6 +250,7 @@ void dump::tell(const record& message) {
     // Without a header there is nothing to choose by.
     if (!message.head && !options_.filter.passes(message)) return;
     summary_.add(message);
+    if (options_.watcher) options_.watcher(message);
     if (options_.receiver) return options_.receiver(message);
     if (options_.summary_only) return;
     if (options_.format == format::json_lines) {

@@ -25,6 +25,7 @@ struct options {
     palette colours{};
     std::vector<jaus::payload_type> payload_types{};
     std::function<void(const record&)> receiver{}; ///< of each message; not set: it is printed
+    std::function<void(const record&)> watcher{};  ///< also gets each message
 };
 
 class dump {
