@@ -408,8 +408,9 @@ const live = (() => {
         const kind = name.match(/^(report|set)_(?:(commanded)_)?(?:\w+_)?joints?_(positions?|velocit(?:y|ies))$/);
         if (!kind) return;
         const [, verb, commanded, quantity] = kind;
+        const joint = path => Number(path.match(/\d+/)[0]);
         const values = Object.entries(row.fields).filter(([path, value]) => typeof value === "number" && /joint/.test(path) && /\d/.test(path) && !/(^|[._])(index|unit|type|number_of\w*)$/.test(path))
-            .map(([, value]) => value).slice(0, 64);
+            .sort(([a], [b]) => joint(a) - joint(b)).map(([, value]) => value).slice(0, 64);
         if (!values.length) return;
         const component = verb === "report" ? row.from : row.to;
         const key = `${row.generation} ${component}`;
