@@ -572,6 +572,7 @@ const live = (() => {
         const list = find("#live-faults"), least = Number(find("#live-level").value);
         const fits = fault => (levels[fault.level] ?? 2) >= least;
         const from = fault_shown === null ? -1 : faults.indexOf(fault_shown);
+        list.parentElement.setAttribute("aria-live", from < 0 ? "off" : "polite"); // only what is new is read out
         if (from < 0) list.replaceChildren(); // another program, or so many at once that none is left
         for (const fault of faults.slice(from + 1)) {
             if (!fits(fault)) continue;
