@@ -286,6 +286,7 @@ const live = (() => {
             return other;
         }
     }
+    let pointed = null; // seconds before the end of the plots: where the pointer is
     let paused_at = null; // the time at which the plots stand still
     let next_colour = 0;
 
@@ -379,7 +380,30 @@ const live = (() => {
             picture.append(svg("path", { class: `line colour-${one.colour}`, d: path, "data-field": one.field, "data-points": one.points.length }));
             if (last) picture.append(svg("circle", { class: `dot colour-${one.colour}`, cx: last[0], cy: last[1], r: 3 }));
         }
+        if (pointed !== null) draw_pointed(picture, lines, to, x, y, width);
         figure.replaceChildren(picture);
+    }
+    /** The values at the pointer: of each line its newest one until then. */
+    function draw_pointed(picture, lines, to, x, y, width) {
+        const time = to - pointed, side = x(time) > width / 2 ? -1 : 1;
+        picture.append(svg("line", { class: "pointed", x1: x(time), x2: x(time), y1: top, y2: height - bottom }));
+        for (const one of lines) {
+            const point = one.points.filter(([sampled, value]) => sampled <= time && !Number.isNaN(value)).at(-1);
+            if (!point) continue;
+            picture.append(svg("circle", { class: `dot colour-${one.colour}`, cx: x(time), cy: y(point[1]), r: 3 }),
+                svg("text", { class: `tick value colour-${one.colour}`, x: x(time) + side * 7, y: y(point[1]) - 4, "text-anchor": side < 0 ? "end" : "start" }, number_text(+point[1].toPrecision(6))));
+        }
+    }
+    function point_at(event) {
+        const picture = event.target.closest?.("svg");
+        const before = pointed;
+        pointed = null;
+        if (event.type !== "pointerleave" && picture) {
+            const box = picture.getBoundingClientRect(), width = box.width - left - right;
+            const part = (event.clientX - box.left - left) / width;
+            if (part >= 0 && part <= 1) pointed = plotted * (1 - part);
+        }
+        if (pointed !== before) due("plot");
     }
     function draw_legend(kept) {
         const body = find("#live-legend tbody");
@@ -394,8 +418,8 @@ const live = (() => {
         kept.forEach((one, i) => {
             const values = one.points.map(point => point[1]).filter(value => !Number.isNaN(value));
             const cells = body.rows[i].cells;
-            const text = value => value === undefined || !Number.isFinite(value) ? "" : `${number_text(+value.toPrecision(6))} ${one.unit}`.trim();
-            set_text(cells[1], text(values.at(-1)));
+            const text = value => value === undefined || !Number.isFinite(value) ? "" : number_text(+value.toPrecision(6));
+            set_text(cells[1], `${text(values.at(-1))} ${one.unit}`.trim());
             set_text(cells[2], text(Math.min(...values)));
             set_text(cells[3], text(Math.max(...values)));
         });
@@ -560,7 +584,7 @@ const live = (() => {
             one.alive === undefined ? "" : one.alive ? { text: "alive", class: "good" } : { text: "silent", class: "bad" }]));
         fill(find("#live-components tbody"), components.slice(0, most_rows).map(one => [{ text: String(one.id ?? ""), class: "id" }, (one.name ?? "") + (one.own ? " (own)" : ""),
             { text: one.state ?? "", class: { ready: "good", emergency: "bad", failure: "bad" }[one.state] ?? "" },
-            one.controller ? { text: one.controller + (one.authority === undefined ? "" : `, authority ${one.authority}`), class: "id" } : "none",
+            one.controller ? { text: one.controller + (one.authority === undefined ? "" : ` (authority ${one.authority})`), class: "controller" } : "none",
             { text: one.age === undefined ? "" : one.own ? "" : `${seconds_text(one.age)} ago`, class: "number" }]));
         for (const [id, list] of [["#live-systems", systems], ["#live-components", components]]) find(id).parentElement.hidden = list.length === 0;
     }
@@ -719,6 +743,7 @@ const live = (() => {
         find("#live-level").addEventListener("change", () => { fault_shown = null; due("faults"); });
         find("#live-pause").addEventListener("click", () => paused_at === null ? pause() : resume());
         find("#live-clear").addEventListener("click", () => { series = []; next_colour = 0; resume(); due("messages"); });
+        for (const type of ["pointermove", "pointerleave"]) find("#live-panels").addEventListener(type, point_at);
         addEventListener("resize", () => due("plot"));
         addEventListener("hashchange", restore_view);
         if (!has_module) {
