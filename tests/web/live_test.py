@@ -187,7 +187,7 @@ def messages_have_rows_with_fields(p):
     watch(p)
     p.robot.command(propulsive_linear_effort_x=25)
     choose(p, "set_wrench_effort", "1.1.32.1")
-    p.until(lambda: any(row[0] == "propulsive_linear_effort_x" and abs(float(row[1]) - 25) < 0.01 and row[2] == "percent" for row in rows(p, "#live-fields")))
+    p.until(lambda: any(row[0] == "propulsive_linear_effort_x" and abs(float(row[1]) - 25) < 0.01 and row[2] == "%" for row in rows(p, "#live-fields")))
     assert p.text(".live-hex").replace(" ", "")[4:8] == "0504", p.text(".live-hex")
     # The filter leaves what has all words; sorted by a number, the largest is first.
     p.find("#live-filter").send_keys("wrench 0405h")
@@ -224,7 +224,7 @@ def numbers_are_plotted(p):
     for value in (30, -40):
         p.robot.command(propulsive_linear_effort_x=value)
     p.until(lambda: points(p, "propulsive_linear_effort_x") >= 3, "the plot has no more points")
-    assert "percent" in p.text("#live-panels"), p.text("#live-panels")
+    assert p.text("#live-panels").splitlines()[-1] == "%", p.text("#live-panels")
     legend = rows(p, "#live-legend")[0]
     assert abs(float(legend[2]) + 40) < 0.01 and abs(float(legend[3]) - 30) < 0.01, legend
     # A pause holds the picture, and the end of it shows what has come since.
@@ -280,18 +280,30 @@ def a_bus_has_its_slaves_and_a_dead_arm_is_a_fault(p):
 def joints_are_an_arm(p):
     watch(p)
     commanded, reported = [0.5, -0.25, 1.0], [0.45, -0.2, 0.9]
-    p.robot.joints(0x0602, commanded)
-    p.robot.joints(0x4602, reported)
+    p.robot.joints(0x0602, commanded) # to 2.2.33.1
+    p.robot.joints(0x4602, reported) # from 3.1.32.1: an arm of its own
     angles = "return (document.querySelector('#live-arm-list g.' + arguments[0])?.dataset.angles ?? '').split(' ').map(Number)"
     near = lambda name, wanted: (lambda found: len(found) == len(wanted) and all(abs(a - b) < 1e-3 for a, b in zip(found, wanted)))(p.run(angles, name))
     p.until(lambda: near("commanded", commanded), "no commanded arm")
-    texts = p.run("return [...document.querySelectorAll('#live-arm-list .angle')].map(one => one.textContent)")
-    assert len(texts) == 3, texts
     p.until(lambda: near("reported", reported), "no reported arm")
-    p.until(lambda: any("25.8°" in row for row in rows(p, "#live-arm-list .arm:last-child")) or any("25.8°" in row for row in rows(p, "#live-arm-list .arm")))
+    texts = p.run("return [...document.querySelectorAll('#live-arm-list .arm')].map(arm => [...arm.querySelectorAll('.angle')].map(one => one.textContent).join(' '))")
+    assert sorted(texts) == ["25.8° -11.5° 51.6°", "28.6° -14.3° 57.3°"], texts
+    assert sorted("".join(row[1:3]) for row in rows(p, "#live-arm-list")) == sorted(" ".join(texts).split())
     moved = [0.1, 0.2, 0.3, 0.4]
     p.robot.joints(0x4602, moved)
     p.until(lambda: near("reported", moved), "the arm has not moved")
+    # Of one component both are in one picture, and ten joints are in their order.
+    p.find("#live-connect").click()
+    p.run("""
+        const fields = angles => Object.fromEntries([...angles.keys()].map(String).sort().map(i => [`joint_position.${i}.joint`, angles[i]]));
+        const row = {generation: 'ra', way: 'seen', count: 1, at: 1, size: 2, hex: ''};
+        live.take({messages: [{...row, id: 900001, name: 'set_joint_positions', from: '1.1.1.1', to: '9.1.54.1', code: '0602h', fields: fields([...arguments[0]])},
+                              {...row, id: 900002, name: 'report_joint_positions', from: '9.1.54.1', to: '1.1.1.1', code: '4602h', fields: fields([...arguments[0]].map(one => one / 2))}]});
+    """, [i / 10 for i in range(11)])
+    both = '#live-arm-list [data-arm="ra 9.1.54.1"] '
+    p.until(lambda: len(p.all(both + "g.commanded")) == len(p.all(both + "g.reported")) == 1)
+    assert p.run("return document.querySelector(arguments[0]).dataset.angles", both + "g.commanded") == " ".join(f"{i / 10:.4f}" for i in range(11))
+    assert rows(p, both)[10][:3] == ["11", "28.6°", "57.3°"], rows(p, both)
     p.picture("live-joints")
 
 
