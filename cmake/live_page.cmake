@@ -1,7 +1,7 @@
-# cmake -DFOLDER=tools/web -DOUTPUT=page.cpp -P live_page.cmake: a source with page.html, page.css and page.js as one page, without
-# the module of WebAssembly.
+# cmake -DFOLDER=tools/web -DOUTPUT=page.cpp -P live_page.cmake: a source with page.html, page.css, page.js and live.js as one page,
+# without the module of WebAssembly.
 file(READ ${FOLDER}/page.html page)
-foreach(mark page.css module page.js)
+foreach(mark page.css module page.js live.js)
     set(content)
     if(NOT mark STREQUAL "module")
         file(READ ${FOLDER}/${mark} content)
