@@ -616,6 +616,7 @@ const live = (() => {
         if (lost) facts.push(`${plural(lost, "message")} not shown: faster than they were read`);
         if (skipped) facts.push(`${plural(skipped, "update")} left out: this page was too slow`);
         set_text(find("#live-program"), facts.filter(Boolean).join(" · "));
+        draw_title();
     }
     const draw = { messages: draw_messages, plot: draw_plot, arms: draw_arms, buses: draw_buses, who: draw_who, faults: draw_faults, program: draw_program };
 
@@ -690,6 +691,12 @@ const live = (() => {
 
     // ---- The two views
 
+    const title = document.title;
+    function draw_title() {
+        const text = document.body.dataset.view === "live" && program ? `${program.name || program.program}: live (JausCat)` : title;
+        if (document.title !== text) document.title = text;
+    }
+
     function show_view(view) {
         document.body.dataset.view = view;
         for (const name of ["messages", "live"]) {
@@ -698,6 +705,7 @@ const live = (() => {
             find("#" + name).hidden = name !== view;
         }
         find(".skip").hidden = view === "live";
+        draw_title();
         if (view === "live") {
             const address = wanted?.address ?? find("#live-address").value.trim();
             history.replaceState(null, "", location.pathname + location.search + "#view=live" + (address && !is_served ? "&address=" + encodeURIComponent(address) : ""));
