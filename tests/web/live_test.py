@@ -44,6 +44,9 @@ class program:
                 self.lines.append(line)
                 self.more.notify_all()
 
+    def wait_for_line(self, part):
+        self.wait(lambda line: part in line, part)
+
     def wait_for(self, event, **values):
         def has(line):
             try:
@@ -52,9 +55,12 @@ class program:
                 return False
             return found.get("event") == event and all(found.get(key) == value for key, value in values.items())
 
+        self.wait(has, f"event {event} {values}")
+
+    def wait(self, fits, what):
         with self.more:
-            if not self.more.wait_for(lambda: any(has(line) for line in self.lines), longest_wait):
-                raise AssertionError(f"{self.command}: no event {event} {values} in\n{''.join(self.lines)[-3000:]}")
+            if not self.more.wait_for(lambda: any(fits(line) for line in self.lines), longest_wait):
+                raise AssertionError(f"{self.command}: no {what} in\n{''.join(self.lines)[-3000:]}")
 
     def say(self, text):
         self.process.stdin.write(text + "\n")
@@ -139,6 +145,33 @@ class robot:
         for key in reversed(list(self.running)): # the controller before its arm
             self.stop(key)
         self.folder.cleanup()
+
+
+class six_joints(robot):
+    """An arm of six drives, slow enough to be watched, and its controller."""
+
+    def __init__(self, bin, page):
+        super().__init__(bin, page)
+        names = "base shoulder elbow wrist_1 wrist_2 wrist_3"
+        text = self.config.read_text().replace("<jausip>2.0.0.0", "<jausip>2.1.0.0")
+        first, rest = text.split("<name>b</name>")
+        rest = rest.replace("</system>", f"""
+    <ethercat interface="udp:127.0.0.1:{self.slave_port}">
+""" + "".join(f'      <slave name="{name}" position="{i}"/>\n' for i, name in enumerate(names.split())) + f"""    </ethercat>
+    <component id="54" slaves="{names}"/>
+  </system>""", 1)
+        self.config.write_text(first + "<name>b</name>" + rest)
+
+    def all(self):
+        drives = self.running["drives"] = program(self.bin / "emulated_drives", f"udp:127.0.0.1:{self.slave_port}")
+        drives.wait_for_line("six drives")
+        self.start("robot_controller", "--this", "b", "--frame-timeout", 100, "--cycle", 10000, "--stop-within", 3000, "--joint-velocity", 0.25, "--joint-acceleration", 2,
+                   "--web", self.web_port, "--web-token", token, "--web-page", self.page).wait_for("state_changed", address="2.1.54.1", to="ready")
+
+    def move(self):
+        """Starts to move the joints to 0.5, -0.5, 1, -1, 0.25 and 0.1 radians."""
+        self.running["move"] = program(self.bin / "move_joints", "--config", self.config, "--this", "a")
+        return self.running["move"]
 
 
 def watch(p):
@@ -305,6 +338,24 @@ def joints_are_an_arm(p):
     assert p.run("return document.querySelector(arguments[0]).dataset.angles", both + "g.commanded") == " ".join(f"{i / 10:.4f}" for i in range(11))
     assert rows(p, both)[10][:3] == ["11", "28.6°", "57.3°"], rows(p, both)
     p.picture("live-joints")
+
+
+@test
+def six_joints_move(p):
+    before, p.robot = p.robot, six_joints(p.robot.bin, p.robot.page)
+    try:
+        watch(p)
+        arm = '#live-arm-list [data-arm="ra 2.1.54.1"] '
+        angles = "return (document.querySelector(arguments[0])?.dataset.angles ?? '').split(' ').map(Number)"
+        p.robot.move()
+        p.until(lambda: p.run(angles, arm + "g.commanded") == [0.5, -0.5, 1, -1, 0.25, 0.1], "no command")
+        seen = []
+        p.until(lambda: seen.append(p.run(angles, arm + "g.reported")[-4:]) or abs(seen[-1][0] - 1) < 0.03, "the arm does not arrive")
+        assert len({round(one[0], 1) for one in seen if one and len(one) == 4}) > 4, "the arm was not seen on its way"
+        p.until(lambda: [row[1] for row in rows(p, "#live-buses .slaves") if row[3] == "op"] == "base shoulder elbow wrist_1 wrist_2 wrist_3".split())
+    finally:
+        p.robot.end()
+        p.robot = before
 
 
 @test

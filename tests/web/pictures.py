@@ -1,15 +1,18 @@
 #!/usr/bin/python3
-"""pictures.py: makes build/web/pictures/message.png, live.png and joints.png, for scripts/web-pictures."""
+"""pictures.py PROGRAMS [NAME...]: makes build/web/pictures/message.png, live.png and joints.png, for scripts/web-pictures."""
 import base64
 import math
+import pathlib
 import subprocess
 import sys
+import time
 
 sys.dont_write_bytecode = True
 from browser import page, root # noqa: E402
-from live_test import choose, connected, points, robot, token, watch # noqa: E402
+from live_test import choose, robot, six_joints, watch # noqa: E402
 
-programs = root / "build/release/bin"
+programs = pathlib.Path(sys.argv[1]).resolve()
+whole_page = root / "build/web/jauscat.html"
 wide = 1200
 
 
@@ -30,7 +33,7 @@ def message(p):
 
 
 def live(p):
-    """Efforts that change, for half a minute."""
+    """Efforts that change, for some 40 seconds."""
     p.size(wide, 900)
     watch(p)
     p.robot.command(propulsive_linear_effort_x=0, propulsive_linear_effort_y=0)
@@ -38,52 +41,42 @@ def live(p):
     for field in ("propulsive_linear_effort_x", "propulsive_linear_effort_y"):
         p.find(f'#live-fields [data-field="{field}"]').click()
     p.robot.stop("ocu")
-    for step in range(40):
+    for step in range(80):
         values = [f"propulsive_linear_effort_x={60 * math.sin(step / 6):.1f}", f"propulsive_linear_effort_y={40 * math.cos(step / 4):.1f}"]
         subprocess.run([programs / "ocu", "--config", p.robot.config, "--this", "a", *values], check=True, stdout=subprocess.DEVNULL)
-    p.until(lambda: points(p, "propulsive_linear_effort_x") > 30)
+        time.sleep(0.4)
     picture(p, "live", "#live-status", "#live-plot")
 
 
 def joints(p):
-    """The six joints of the examples as they move, seen by jausdump."""
+    """Six joints as they move."""
     p.size(wide, 700)
-    r = robot(programs, root / "build/web/jauscat.html")
+    before, p.robot = p.robot, six_joints(programs, whole_page)
     try:
-        port = int(r.config.read_text().split("<name>b</name>")[1].split("<port>")[1].split("<")[0])
-        own = []
-        try:
-            own.append(subprocess.Popen([programs / "emulated_drives"], stdout=subprocess.DEVNULL))
-            arm = subprocess.Popen([programs / "six_joints", "--config", r.config, "--this", "b"], stdout=subprocess.PIPE, text=True)
-            own.append(arm)
-            while "slave 5 answers, in OP" not in arm.stdout.readline():
-                assert arm.poll() is None, "six_joints has ended"
-            own.append(subprocess.Popen([programs / "jausdump", "--listen", str(port), "--web", str(r.web_port), "--web-token", token,
-                                         "--web-page", root / "build/web/jauscat.html"], stdout=subprocess.DEVNULL))
-            p.driver.get("about:blank")
-            p.driver.get(r.link())
-            connected(p)
-            # The picture stands still in the middle of the way.
-            p.run("""setInterval(() => {
-                const angles = (document.querySelector('#live-arm-list g.reported')?.dataset.angles ?? '').split(' ').map(Number);
-                if (angles.length === 6 && angles[2] > 0.3 && angles[2] < 0.8 && document.querySelector('#live-arm-list g.commanded')) window.requestAnimationFrame = () => 0, document.body.dataset.stands = 'still';
-            }, 5);""")
-            subprocess.run([programs / "move_joints", "--config", r.config, "--this", "a"], check=True, stdout=subprocess.DEVNULL)
-            p.until(lambda: p.run("return document.body.dataset.stands") == "still", "the arm was not seen on its way")
-            picture(p, "joints", "#live-status", "#live-arm-list")
-        finally:
-            for one in reversed(own):
-                one.terminate()
-                one.wait(30)
+        watch(p)
+        # The picture stands still in the middle of the way.
+        p.robot.move()
+        choose(p, "report_joint_positions", "2.1.54.1")
+        p.until(lambda: p.all('#live-fields [data-field$="joint_position"]'))
+        p.run("document.querySelectorAll('#live-fields [data-field$=\"joint_position\"]').forEach(one => one.click())")
+        p.run("""setInterval(() => {
+            const angles = (document.querySelector('#live-arm-list g.reported')?.dataset.angles ?? '').split(' ').map(Number);
+            if (angles[2] > 0.6 && angles[2] < 0.9 && document.querySelector('#live-arm-list g.commanded')) window.requestAnimationFrame = () => 0, document.body.dataset.stands = 'still';
+        }, 5);""")
+        p.until(lambda: p.run("return document.body.dataset.stands") == "still", "the arm was not seen on its way")
+        p.run("document.querySelector('#live-messages').closest('section').hidden = true; document.querySelector('#live-arms').previousElementSibling.hidden = true;"
+              "document.querySelectorAll('#live-buses .histogram').forEach(one => { one.parentElement.hidden = true; })")
+        picture(p, "joints", "#live-shown", "#live-arm-list")
     finally:
-        r.end()
+        p.robot.end()
+        p.robot = before
 
 
 def main():
-    p = page(root / "build/web/jauscat.html", root / "build/web/pictures")
+    p = page(whole_page, root / "build/web/pictures")
     p.pictures.mkdir(parents=True, exist_ok=True)
-    p.robot = robot(programs, root / "build/web/jauscat.html")
-    wanted = sys.argv[1:] or ["message", "live", "joints"]
+    p.robot = robot(programs, whole_page)
+    wanted = sys.argv[2:] or ["message", "live", "joints"]
     try:
         for one in (message, live, joints):
             if one.__name__ in wanted:

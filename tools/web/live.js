@@ -127,7 +127,7 @@ const live = (() => {
         { name: "Way", value: row => row.way ?? "", class: "minor" },
         { name: "Rate", value: row => at - row.at > 2.5 ? 0 : row.rate ?? 0, text: value => `${value.toFixed(1)} /s`, class: "number" },
         { name: "Count", value: row => row.count ?? 0, text: String, class: "number" },
-        { name: "Bytes", value: row => row.size ?? 0, text: String, class: "number minor" },
+        { name: "Bytes", value: row => row.size ?? 0, text: String, class: "number minor least" },
         { name: "Newest", value: row => row.at === undefined ? 0 : Math.max(0, at - row.at), text: seconds_text, class: "number minor" },
     ];
     let sorted_by = 0, is_descending = false;
@@ -391,7 +391,7 @@ const live = (() => {
             const point = one.points.filter(([sampled, value]) => sampled <= time && !Number.isNaN(value)).at(-1);
             if (!point) continue;
             picture.append(svg("circle", { class: `dot colour-${one.colour}`, cx: x(time), cy: y(point[1]), r: 3 }),
-                svg("text", { class: `tick value colour-${one.colour}`, x: x(time) + side * 7, y: y(point[1]) - 4, "text-anchor": side < 0 ? "end" : "start" }, number_text(+point[1].toPrecision(6))));
+                svg("text", { class: `tick value colour-${one.colour}`, x: x(time) + side * 7, y: y(point[1]) - 4, "text-anchor": side < 0 ? "end" : "start" }, number_text(+point[1].toPrecision(4))));
         }
     }
     function point_at(event) {
@@ -418,7 +418,7 @@ const live = (() => {
         kept.forEach((one, i) => {
             const values = one.points.map(point => point[1]).filter(value => !Number.isNaN(value));
             const cells = body.rows[i].cells;
-            const text = value => value === undefined || !Number.isFinite(value) ? "" : number_text(+value.toPrecision(6));
+            const text = value => value === undefined || !Number.isFinite(value) ? "" : number_text(+value.toPrecision(4));
             set_text(cells[1], `${text(values.at(-1))} ${one.unit}`.trim());
             set_text(cells[2], text(Math.min(...values)));
             set_text(cells[3], text(Math.max(...values)));
