@@ -199,6 +199,11 @@ def choose(p, *words):
     p.until(lambda: p.text("#live-detail h3") in words)
 
 
+def shows(p, field, value, unit="%"):
+    """Waits until the chosen message has this value."""
+    p.until(lambda: any(row[0] == field and abs(float(row[1]) - value) < 0.01 and row[2] == unit for row in rows(p, "#live-fields")), f"{field} is not {value}")
+
+
 def points(p, field):
     return p.run("return Number(document.querySelector(`#live-panels [data-field=\"${arguments[0]}\"]`)?.dataset.points ?? 0)", field)
 
@@ -220,7 +225,7 @@ def messages_have_rows_with_fields(p):
     watch(p)
     p.robot.command(propulsive_linear_effort_x=25)
     choose(p, "set_wrench_effort", "1.1.32.1")
-    p.until(lambda: any(row[0] == "propulsive_linear_effort_x" and abs(float(row[1]) - 25) < 0.01 and row[2] == "%" for row in rows(p, "#live-fields")))
+    shows(p, "propulsive_linear_effort_x", 25, "%")
     assert p.text(".live-hex").replace(" ", "")[4:8] == "0504", p.text(".live-hex")
     # The filter leaves what has all words; sorted by a number, the largest is first.
     p.find("#live-filter").send_keys("wrench 0405h")
@@ -254,8 +259,9 @@ def numbers_are_plotted(p):
     choose(p, "set_wrench_effort", "1.1.32.1")
     p.find('#live-fields [data-field="propulsive_linear_effort_x"]').click()
     p.until(lambda: points(p, "propulsive_linear_effort_x") >= 1)
-    for value in (30, -40):
+    for value in (30, -40): # of what comes at once the page gets the newest
         p.robot.command(propulsive_linear_effort_x=value)
+        shows(p, "propulsive_linear_effort_x", value)
     p.until(lambda: points(p, "propulsive_linear_effort_x") >= 3, "the plot has no more points")
     assert p.text("#live-panels").splitlines()[-1] == "%", p.text("#live-panels")
     legend = rows(p, "#live-legend")[0]
@@ -265,7 +271,7 @@ def numbers_are_plotted(p):
     p.until(lambda: p.find("#live-pause").get_attribute("aria-pressed") == "true")
     count = points(p, "propulsive_linear_effort_x")
     p.robot.command(propulsive_linear_effort_x=70)
-    p.until(lambda: any(row[0] == "propulsive_linear_effort_x" and abs(float(row[1]) - 70) < 0.01 for row in rows(p, "#live-fields")))
+    shows(p, "propulsive_linear_effort_x", 70)
     assert points(p, "propulsive_linear_effort_x") == count
     p.find("#live-pause").click()
     p.until(lambda: points(p, "propulsive_linear_effort_x") > count)
