@@ -420,6 +420,7 @@ def a_page_without_the_module_has_the_live_view(p):
 @test
 def a_program_has_the_page_inside(p):
     p.robot.all()
+    p.robot.stop("communicator") # which is system c, too
     one = p.robot.start("ocu", "--this", "c", "--hold", 600, "--query", "--web", p.robot.bare_port, key="bare")
     try:
         one.wait_for("holding")

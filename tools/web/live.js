@@ -518,7 +518,7 @@ const live = (() => {
 
     // ---- Buses
 
-    const state_text = state => state ?? "";
+    const state_text = state => state || "unknown";
     function draw_buses() {
         const place = find("#live-buses");
         place.hidden = buses.length === 0;
@@ -565,6 +565,7 @@ const live = (() => {
             { text: [slave.in_service === undefined ? "" : slave.in_service ? "yes" : "no", slave.at_rest ? "at rest" : ""].filter(Boolean).join(", "), class: slave.in_service === false ? "bad" : "" },
         ]));
         find(".slaves", element).parentElement.hidden = !bus.slaves?.length;
+        find(".slaves", element).classList.toggle("without-counters", !bus.slaves?.some(slave => slave.errors));
         const { upper_us: upper = [], counts = [] } = bus.histogram ?? {};
         const total = counts.reduce((sum, one) => sum + one, 0), most = Math.max(1, ...counts);
         const body = find(".histogram tbody", element);
@@ -584,7 +585,7 @@ const live = (() => {
             one.alive === undefined ? "" : one.alive ? { text: "alive", class: "good" } : { text: "silent", class: "bad" }]));
         fill(find("#live-components tbody"), components.slice(0, most_rows).map(one => [{ text: String(one.id ?? ""), class: "id" }, (one.name ?? "") + (one.own ? " (own)" : ""),
             { text: one.state ?? "", class: { ready: "good", emergency: "bad", failure: "bad" }[one.state] ?? "" },
-            one.controller ? { text: one.controller + (one.authority === undefined ? "" : ` (authority ${one.authority})`), class: "controller" } : "none",
+            one.controller ? { text: one.controller + (one.authority === undefined ? "" : ` (authority ${one.authority})`), class: "controller" } : one.own ? "none" : "",
             { text: one.age === undefined ? "" : one.own ? "" : `${seconds_text(one.age)} ago`, class: "number" }]));
         for (const [id, list] of [["#live-systems", systems], ["#live-components", components]]) find(id).parentElement.hidden = list.length === 0;
     }
