@@ -65,6 +65,7 @@ def joints(p):
         }, 5);""")
         p.until(lambda: p.run("return document.body.dataset.stands") == "still", "the arm was not seen on its way")
         p.run("document.querySelector('#live-messages').closest('section').hidden = true; document.querySelector('#live-arms').previousElementSibling.hidden = true;"
+              "document.querySelector('#live-faults').closest('section').hidden = true;"
               "document.querySelectorAll('#live-buses .histogram').forEach(one => { one.parentElement.hidden = true; })")
         picture(p, "joints", "#live-shown", "#live-shown")
     finally:
