@@ -245,6 +245,7 @@ def a_message_opens_byte_by_byte(p):
     watch(p)
     p.robot.command(propulsive_linear_effort_x=50)
     choose(p, "set_wrench_effort", "1.1.32.1")
+    shows(p, "propulsive_linear_effort_x", 50)
     p.until(lambda: p.find("#live-bytes").is_enabled())
     p.run("document.querySelector('#live-bytes').click()")
     p.until(lambda: p.text("#result h2") == "Set Wrench Effort")
