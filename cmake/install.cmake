@@ -17,6 +17,12 @@ install(EXPORT jauscat-targets NAMESPACE jauscat:: DESTINATION ${package_dir})
 # for every machine.
 install(DIRECTORY src DESTINATION ${CMAKE_INSTALL_DATADIR}/jauscat)
 install(FILES cmake/catalogue.cmake cmake/jsidl.cmake DESTINATION ${package_dir})
+# jauscat::live, too.
+if(TARGET jauscat_live)
+    install(FILES cmake/live.cmake cmake/live_page.cmake DESTINATION ${package_dir})
+    install(DIRECTORY tools/web/ DESTINATION ${CMAKE_INSTALL_DATADIR}/jauscat/web
+            FILES_MATCHING PATTERN "*.html" PATTERN "*.css" PATTERN "*.js")
+endif()
 if(TARGET jauscat_esi_files)
     install(TARGETS jauscat_esi_files EXPORT jauscat-esi-targets)
     install(EXPORT jauscat-esi-targets NAMESPACE jauscat:: DESTINATION ${package_dir})

@@ -1,8 +1,10 @@
 // The robot controller: receives JAUS messages over UDP, sends SDO downloads over EtherCAT, and returns reports.
 #include "robot_controller/command_line.hpp"
 #include "robot_controller/narrator.hpp"
+#include "support/live_node.hpp"
 #include <jauscat/app.hpp>
 #include <jauscat/app/own_table.hpp>
+#include <jauscat/catalogue/ra_3_3.hpp>
 
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -18,13 +20,14 @@ namespace example {
 class front {
   public:
     // [front]
-    front(const place& at, const values_map& values, std::deque<front>& all)
+    front(const place& at, const values_map& values, std::deque<front>& all, jauscat::net::live_feed* feed)
         : config_{at.config},
           say_{at.name.empty() ? "controller" : "controller " + at.name, {{"system", config_.this_system}}},
           log_{say_, at.name},
           options_{bridge_options_of(values)},
-          node_{log_.of_node(node_options_of(at, values))},
-          bus_{node_.context(), at.link, log_.of_bus(bus_options_of(at, values))} {
+          node_{watched(log_.of_node(node_options_of(at, values)), feed)},
+          bus_{node_.context(), at.link, log_.of_bus(bus_options_of(at, values))},
+          reporter_{node_.context(), feed, [this, link = describe_link(at.link)] { return live_state(link); }} {
         say_(events::link_opened, {{"link", describe_link(at.link)}}, describe_link(at.link));
         const auto connect = [&]<class Table>() { return bridge_.emplace(node_, bus_, Table{}, options_), success; };
         with_table(values, connect);
@@ -70,6 +73,12 @@ class front {
     }
 
   private:
+    [[nodiscard]] jauscat::net::live_state live_state(const std::string& link) const {
+        const auto components = node_.components();
+        return {.systems = live_systems(config_, components),
+                .components = live_components(components),
+                .buses = {live_bus_of(link, bus_.statistics(), bus_.statuses())}};
+    }
     void tell_ready() {
         if (std::exchange(is_ready_, true)) return;
         log_.ready(config_.me(), node_.manager().node, options_.period > jauscat::duration{}, bridge_->is_up());
@@ -81,6 +90,7 @@ class front {
     jauscat::bridge_options options_;
     jauscat::node node_;
     jauscat::bus bus_;
+    live_reporter reporter_;
     std::optional<jauscat::bridge> bridge_{};
     boost::asio::signal_set stop_{node_.context(), SIGINT, SIGTERM};
     boost::asio::steady_timer wait_{node_.context()};
@@ -112,9 +122,12 @@ int main(int argc, char** argv) {
     return run("robot_controller", [&] {
         const auto values = parse(argc, argv, controller_options(), controller_help);
         const auto places = places_of(values);
+        live_view view{"robot_controller", values, places.front().config.this_system, jauscat::catalogue::ra_3_3()};
         std::deque<front> fronts;
-        for (const auto& at : places) fronts.emplace_back(at, values, fronts);
+        for (const auto& at : places) fronts.emplace_back(at, values, fronts, view.make_feed());
         if (std::ranges::any_of(places, [](const auto& at) { return is_raw_link(at.link); })) give_up_privileges();
+        view.start();
+        view.tell();
         return run_all(fronts, std::chrono::milliseconds{values["wait"].as<unsigned>()});
     });
 }

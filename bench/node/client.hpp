@@ -16,6 +16,7 @@
 #include <stdexcept>
 #include <sys/socket.h>
 #include <sys/time.h>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -112,6 +113,34 @@ class client {
         }
         result.time = clock::now() - start;
         while (::recvmmsg(socket_, receives_.data(), most, MSG_WAITFORONE, nullptr) > 0) {}
+        forget();
+        return result;
+    }
+
+    /// Sends `per_ms` requests each millisecond for `time`, whatever is answered.
+    load_result run_paced(std::uint16_t port, std::size_t per_ms, nanoseconds time) {
+        const auto target = loopback(port);
+        if (::connect(socket_, reinterpret_cast<const sockaddr*>(&target), sizeof target) != 0)
+            throw std::runtime_error{"cannot connect on the loopback interface"};
+        load_result result;
+        const auto take = [&](int flags) {
+            const int got = ::recvmmsg(socket_, receives_.data(), most, flags, nullptr);
+            for (int i = 0; i < got; ++i)
+                if (const auto sent = answered(i)) {
+                    result.latency.add(clock::now() - *sent);
+                    ++result.answered;
+                }
+            return got > 0;
+        };
+        const auto start = clock::now();
+        for (auto due = start; due - start < time; due += std::chrono::milliseconds{1}) {
+            std::this_thread::sleep_until(due);
+            send(per_ms);
+            while (take(MSG_DONTWAIT)) {}
+        }
+        result.time = clock::now() - start;
+        while (take(MSG_WAITFORONE)) {}
+        result.lost = on_way_;
         forget();
         return result;
     }

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """prepare.py ROOT OUT: writes the documents into OUT/pages, as documents.py makes them, with the sources of their pictures, and
-OUT/mkdocs.yml: mkdocs.yml with the navigation, which is that of docs/README.md."""
+OUT/mkdocs.yml: mkdocs.yml with the navigation, which is that of docs/README.md. Where scripts/web has made the page for the browser,
+the first page has a link to a copy of it."""
 import json
 import pathlib
 import shutil
@@ -21,8 +22,12 @@ def write(path, text):
 
 
 pages = out / "pages"
+web = root / "build/web/jauscat.html"
 try:
     for name, text in documents.prepared(root):
+        if name == "README.md" and web.is_file():
+            title, rest = text.split("\n", 1)
+            text = f"{title}\n\n[Try it in the browser]({web.name}): paste a message, see its bytes and its way to a slave.\n{rest}"
         write(pages / name, text)
 except ValueError as problem: # a document
     sys.exit(str(problem))
@@ -34,6 +39,9 @@ for path in [*root.glob("docs/*.svg"), *root.glob("docs/*.png"), *root.glob("doc
     copy = pages / (path.relative_to(root) if path.suffix in (".svg", ".png") else path.name)
     copy.parent.mkdir(parents=True, exist_ok=True)
     shutil.copy(path, copy)
+
+if web.is_file():
+    shutil.copy(web, pages / web.name)
 
 navigation = [{"JausCat": "README.md"}, {"Documents": "docs/README.md"}]
 for section, listed in documents.navigation(root):

@@ -36,6 +36,7 @@ Examples:
   ocu --send set_travel_speed desired_speed=2.5
   ocu --send set_emergency emergency_code=transition_to_emergency
   ocu --unacknowledged propulsive_linear_effort_x=50
+  ocu --web 8080 --hold 60 propulsive_linear_effort_x=50    and its messages at http://127.0.0.1:8080/
 
 If a controlled component accepts the command from its controller only, the program takes control of the arm first, and
 releases it at the end, also after Ctrl-C. Queries, reports, Set and Clear Emergency need no control.
@@ -189,6 +190,7 @@ int main(int argc, char** argv) {
             ("field", po::value<words>(), "FIELD=VALUE; --field itself may be omitted");
         // clang-format on
         example::add_type_option(options);
+        example::add_web_options(options);
         example::add_log_option(options);
         po::positional_options_description positional;
         positional.add("field", -1);
@@ -227,8 +229,13 @@ int main(int argc, char** argv) {
         what.compare = !query_only && !send;
         what.control = !values["no-control"].as<bool>() && needs_control(what.first.command_code);
 
-        operator_unit unit{example::load_config(values), robot, retry, !values["unacknowledged"].as<bool>(),
-                           example::subsystem_type(values)};
+        const auto config = example::load_config(values);
+        example::live_view view{"ocu", values, config.this_system, example::known_messages()};
+        operator_unit unit{
+            config,          robot, retry, !values["unacknowledged"].as<bool>(), example::subsystem_type(values),
+            view.make_feed()};
+        view.start();
+        view.tell();
         const bool done = perform(unit, what);
         return unit.finish() && done ? example::success : example::failure;
     });

@@ -48,18 +48,21 @@ void say(example::event_kind kind, const example::event_members& members, const 
     const bool is_bad = line.starts_with("FAILED") || line.starts_with("LOST"), is_good = line.starts_with("OK");
     const auto shown = is_bad ? example::bad(line) : is_good ? example::good(line) : line;
     example::write_event(kind, members, "ocu: " + shown + "\n");
+    if (is_bad) example::tell_fault(true, line);
 }
 
 operator_unit::operator_unit(const net::jaus_config& config, const jaus::address& robot,
                              const jauscat::retry_policy& retry, bool acknowledged,
-                             std::optional<jaus::subsystem_type> type)
+                             std::optional<jaus::subsystem_type> type, net::live_feed* feed)
     : self_{example::component_of(config.me())},
       robot_{robot},
       retry_{retry},
       acknowledged_{acknowledged},
-      node_{context_, node_options(config, type)},
+      node_{context_, example::watched(node_options(config, type), feed)},
       unit_{node_,
-            {.id = self_.component, .instance = self_.instance, .name = "operator control unit", .retry = retry}} {
+            {.id = self_.component, .instance = self_.instance, .name = "operator control unit", .retry = retry}},
+      config_{config},
+      reporter_{context_, feed, [this] { return live_state(); }} {
     // Reports of the robot are for the operator; commands are for robots.
     unit_.on_others([](const jaus::header& head, bytes) {
         return head.command_code >= 0x4000 ? jaus::message_outcome::handled : jaus::message_outcome::unhandled;
@@ -68,6 +71,11 @@ operator_unit::operator_unit(const net::jaus_config& config, const jaus::address
     node_.when_disappeared([this](const jaus::address& who) { robot_is_there(who, false); });
     unit_.ready();
     node_.start();
+}
+
+net::live_state operator_unit::live_state() const {
+    const auto components = node_.components();
+    return {.systems = example::live_systems(config_, components), .components = example::live_components(components)};
 }
 
 bool operator_unit::hear_robot(milliseconds patience) {
@@ -171,8 +179,10 @@ jauscat::node_options operator_unit::node_options(const net::jaus_config& config
     jauscat::node_options options{
         .config = config.source, .this_system = config.this_system, .node = self_.node, .type = type};
     options.log = [this](std::string_view line) {
-        if (const auto times = log_lines_.shown(line)) // the node limits them
-            say(events::node_log, {{"line", line}, {"times", *times}}, log_lines_.text(line, *times));
+        const auto times = log_lines_.shown(line); // the node limits them
+        if (!times) return;
+        say(events::node_log, {{"line", line}, {"times", *times}}, log_lines_.text(line, *times));
+        example::tell_fault(false, log_lines_.text(line, *times));
     };
     options.explain_malformed = example::known_messages().explainer();
     options.on_received = [this](const auto& component, const auto& head, bytes body) { seen(component, head, body); };

@@ -1,6 +1,7 @@
 // The operator's side of a session with one component of a robot: control, commands, questions, heartbeats.
 #pragma once
 #include "support/event.hpp"
+#include "support/live_node.hpp"
 #include "support/repeated_lines.hpp"
 #include <jauscat/app/component.hpp>
 #include <jauscat/net/config/jaus_config.hpp>
@@ -45,9 +46,9 @@ class operator_unit {
     using milliseconds = std::chrono::milliseconds;
 
     /// `retry`: of a message that must be answered. `acknowledged`: messages ask for an acknowledgement; else commands
-    /// are sent once. `type`: by default that of the configuration.
+    /// are sent once. `type`: by default that of the configuration. `feed`: of a live view, or nullptr.
     operator_unit(const net::jaus_config& config, const jaus::address& robot, const jauscat::retry_policy& retry,
-                  bool acknowledged, std::optional<jaus::subsystem_type> type = {});
+                  bool acknowledged, std::optional<jaus::subsystem_type> type = {}, net::live_feed* feed = nullptr);
 
     /// Waits for a heartbeat of any component of the robot. False: none arrived.
     bool hear_robot(milliseconds patience);
@@ -71,6 +72,7 @@ class operator_unit {
 
     [[nodiscard]] bool holds() const noexcept { return has_control_ && control_.is_held(); }
     jauscat::node_options node_options(const net::jaus_config& config, std::optional<jaus::subsystem_type> type);
+    [[nodiscard]] net::live_state live_state() const;
     void on_control(error_code error, jauscat::control made);
     void sent(bytes message);
     void seen(const jaus::address& component, const jaus::header& head, bytes body);
@@ -109,6 +111,8 @@ class operator_unit {
     boost::asio::io_context context_{};
     jauscat::node node_;
     jauscat::component unit_;
+    net::jaus_config config_;
+    example::live_reporter reporter_;
     jauscat::control control_{};
 };
 

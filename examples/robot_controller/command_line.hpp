@@ -1,6 +1,7 @@
 // The command line of the robot controller.
 #pragma once
 #include "support/link_options.hpp"
+#include "support/live_view.hpp"
 #include "support/node_options.hpp"
 #include <jauscat/app/bridge_options.hpp>
 #include <jauscat/app/bus.hpp>
@@ -44,6 +45,7 @@ Examples:
   robot_controller --this b --table self-contained
   robot_controller --this b --link raw --interface eth0
   robot_controller --this b --link raw --interface eth0 --cycle 1000
+  robot_controller --this b --web 8080        and its messages, bus and faults at http://127.0.0.1:8080/
   robot_controller --config robot.xml --this arm      the masters of arm in robot.xml
 )";
 
@@ -66,6 +68,7 @@ inline boost::program_options::options_description controller_options() {
         ("open", "accept messages from all senders, for tests")
         ("frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");
     // clang-format on
+    add_web_options(options);
     add_log_option(options);
     add_link_options(options);
     return options;

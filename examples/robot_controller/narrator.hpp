@@ -34,7 +34,7 @@ class narrator {
     [[nodiscard]] jauscat::node_options of_node(jauscat::node_options options) {
         options.log = [this](std::string_view line) {
             if (const auto times = log_lines_.shown(line))
-                say_(events::node_log, {{"line", line}, {"times", *times}}, log_lines_.text(line, *times));
+                say_.warn(events::node_log, {{"line", line}, {"times", *times}}, log_lines_.text(line, *times));
         };
         options.explain_malformed = [](std::uint16_t command_code, std::span<const std::byte> body) {
             return jauscat::text::why_malformed(command_code, body, robot_messages{});
@@ -59,7 +59,7 @@ class narrator {
         options.log = [this, has_names = !options.slaves.empty()](std::string_view line) {
             if (!has_names || line.find(": slave ") == line.npos) return; // a fault, which comes here, too
             if (line.find(" is refused: ") != line.npos) failure_ = line;
-            say_(events::bus_log, {{"line", line}}, std::string{line});
+            say_.warn(events::bus_log, {{"line", line}}, std::string{line});
         };
         options.on_fault = [this](jauscat::link_fault what, std::string_view line) {
             switch (what) {

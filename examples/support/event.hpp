@@ -58,6 +58,7 @@ inline constexpr event_kind usage_error{"usage_error"};
 inline constexpr event_kind link_opened{"link_opened"};
 inline constexpr event_kind link_problem{"link_problem"};
 inline constexpr event_kind frame_not_returned{"frame_not_returned"};
+inline constexpr event_kind web_opened{"web_opened"};
 
 // JAUS nodes.
 inline constexpr event_kind node_log{"node_log"};

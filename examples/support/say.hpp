@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <mutex>
@@ -50,13 +51,24 @@ class event_limit {
     std::map<std::string, state> causes_{};
 };
 
-/// Writes an event as write_event does, if the cause is not at its limit.
-inline void write_limited(const std::string& cause, event_kind kind, const event_members& members,
+/// Writes an event as write_event does, if the cause is not at its limit; says whether it was written.
+inline bool write_limited(const std::string& cause, event_kind kind, const event_members& members,
                           const std::string& text) {
     static std::mutex one_at_a_time;
     static event_limit limit;
     const std::scoped_lock lock{one_at_a_time};
-    if (const auto left_out = limit.admit(cause)) write_lines(log_lines(kind, members, text, *left_out));
+    const auto left_out = limit.admit(cause);
+    if (left_out) write_lines(log_lines(kind, members, text, *left_out));
+    return left_out.has_value();
+}
+
+/// Gets the lines that say what is wrong; set while the program has one thread. `line` is without colours.
+inline std::function<void(bool is_bad, const std::string& line)>& on_fault() {
+    static std::function<void(bool, const std::string&)> listener;
+    return listener;
+}
+inline void tell_fault(bool is_bad, const std::string& line) {
+    if (on_fault()) on_fault()(is_bad, line);
 }
 
 /// Writes lines that begin with a name.
@@ -68,19 +80,27 @@ class speaker {
     /// `more`: lines that belong below, each with its end.
     void operator()(event_kind kind, const event_members& members, const std::string& line,
                     const std::string& more = {}) const {
-        write_limited(cause_of(line), kind, about_ + members, name_ + ": " + line + "\n" + more);
+        write(kind, members, line, more);
     }
     /// What one waits for, and what one has to look at.
     void good(event_kind kind, const event_members& members, const std::string& line) const {
         (*this)(kind, members, example::good(line));
     }
     void bad(event_kind kind, const event_members& members, const std::string& line) const {
-        (*this)(kind, members, example::bad(line));
+        if (write(kind, members, example::bad(line))) tell_fault(true, name_ + ": " + line);
+    }
+    /// What may be wrong.
+    void warn(event_kind kind, const event_members& members, const std::string& line) const {
+        if (write(kind, members, line)) tell_fault(false, name_ + ": " + line);
     }
     /// Members of each event.
     [[nodiscard]] const event_members& about() const noexcept { return about_; }
 
   private:
+    bool write(event_kind kind, const event_members& members, const std::string& line,
+               const std::string& more = {}) const {
+        return write_limited(cause_of(line), kind, about_ + members, name_ + ": " + line + "\n" + more);
+    }
     /// Lines with the same first word, numbers aside, have the same cause.
     [[nodiscard]] std::string cause_of(const std::string& line) const {
         auto word = line.substr(0, line.find(' '));

@@ -14,90 +14,19 @@ import pathlib
 import struct
 import subprocess
 import sys
-import time
-import traceback
 
-from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from selenium.webdriver.support.ui import Select, WebDriverWait
+from selenium.webdriver.support.ui import Select
 
-root = pathlib.Path(__file__).resolve().parents[2]
+sys.dont_write_bytecode = True
+from browser import contrast, page, root, run_tests, test, unnamed_controls # noqa: E402
+
 data = root / "tests" / "data"
-longest_wait = 30  # seconds
 
 wrench = "0602050401210202012001010500220041000040" + "20"
 request_control = "02001100062102020103" + "04feff0d00232200"
-
-
-class page:
-    """The page in a browser."""
-
-    def __init__(self, file, pictures):
-        options = webdriver.ChromeOptions()
-        options.binary_location = "/usr/bin/chromium"
-        for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu", "--force-color-profile=srgb"):
-            options.add_argument(argument)
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        self.driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
-        self.driver.set_script_timeout(300)
-        self.url = file.resolve().as_uri()
-        self.pictures = pictures
-        self.size(1000, 900)
-
-    def size(self, width, height):
-        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
-                                    {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600})
-
-    def scheme(self, name):
-        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": name}]})
-
-    def open(self, state=""):
-        self.driver.get("about:blank")  # a new fragment alone would not load the page again
-        self.driver.get(self.url + "#" + state)
-        self.until(lambda: self.run("return document.documentElement.dataset.ready") is not None)
-        assert self.run("return document.documentElement.dataset.ready") == "true", self.text("#status")
-
-    def run(self, script, *values):
-        return self.driver.execute_script(script, *values)
-
-    def until(self, condition, what="the page does not get there"):
-        WebDriverWait(self.driver, longest_wait, 0.05).until(lambda _: condition(), what)
-
-    def find(self, selector):
-        return self.driver.find_element(By.CSS_SELECTOR, selector)
-
-    def all(self, selector):
-        return self.driver.find_elements(By.CSS_SELECTOR, selector)
-
-    def text(self, selector):
-        return self.run("return document.querySelector(arguments[0])?.innerText ?? ''", selector)
-
-    def paste(self, text):
-        """As from the clipboard: the whole text at once."""
-        self.run("const box = document.querySelector('#text'); box.value = arguments[0];"
-                 "box.dispatchEvent(new Event('input', {bubbles: true}));", text)
-
-    def keys(self, *keys):
-        ActionChains(self.driver).send_keys(*keys).perform()
-
-    def picture(self, name):
-        height = self.run("return document.documentElement.scrollHeight")
-        width = self.run("return innerWidth")
-        shot = self.driver.execute_cdp_cmd("Page.captureScreenshot", {
-            "captureBeyondViewport": True, "clip": {"x": 0, "y": 0, "width": width, "height": min(height, 4000), "scale": 1}})
-        self.pictures.mkdir(parents=True, exist_ok=True)
-        (self.pictures / f"{name}.png").write_bytes(base64.b64decode(shot["data"]))
-
-
-tests = []
-
-
-def test(function):
-    tests.append(function)
-    return function
 
 
 def vectors(file):
@@ -351,20 +280,6 @@ def a_link_restores_the_page(p):
     p.until(lambda: p.text("#result h2") == "RequestControl")
 
 
-def contrast(p, selector):
-    """Of text with what is behind it: WCAG 2."""
-    return p.run("""
-        const luminance = colour => {
-            const [r, g, b] = colour.match(/[\\d.]+/g).map(Number).map(c => (c /= 255) <= .03928 ? c / 12.92 : ((c + .055) / 1.055) ** 2.4);
-            return .2126 * r + .7152 * g + .0722 * b;
-        };
-        const element = document.querySelector(arguments[0]);
-        let behind = element;
-        while (behind && /, 0\\)$/.test(getComputedStyle(behind).backgroundColor)) behind = behind.parentElement;
-        const a = luminance(getComputedStyle(element).color), b = luminance(getComputedStyle(behind ?? document.documentElement).backgroundColor);
-        return (Math.max(a, b) + .05) / (Math.min(a, b) + .05);""", selector)
-
-
 @test
 def dark_and_light_schemes_have_contrast(p):
     backgrounds = []
@@ -443,17 +358,10 @@ def everything_can_be_done_by_the_keyboard(p):
 
 @test
 def every_control_has_a_name_and_results_are_announced(p):
-    roles = {"button", "textbox", "combobox", "checkbox", "searchbox", "tab", "tree", "treeitem", "link", "listbox", "tabpanel"}
     for state in ("hex=" + wrench, "hex=" + wrench + "&view=fields", "hex=" + request_control + "." + wrench + "&view=fields"):
         p.open(state)
-        nodes = p.driver.execute_cdp_cmd("Accessibility.getFullAXTree", {})["nodes"]
-        seen = 0
-        for node in nodes:
-            role = node.get("role", {}).get("value")
-            if node.get("ignored") or role not in roles:
-                continue
-            seen += 1
-            assert node.get("name", {}).get("value", "").strip(), (state[-40:], role, node.get("properties"))
+        seen, unnamed = unnamed_controls(p)
+        assert unnamed == [], (state[-40:], unnamed)
         assert seen > 40, seen
     assert p.find("#status").get_attribute("aria-live") == "polite"
     assert p.run("return document.documentElement.lang") == "en"
@@ -572,24 +480,7 @@ def main():
     options = parser.parse_args()
     p = page(options.page, options.pictures)
     p.jausdump = options.jausdump
-    failed = 0
-    try:
-        for one in tests:
-            name = one.__name__.replace("_", " ")
-            if options.names and not any(part in name for part in options.names):
-                continue
-            start = time.monotonic()
-            try:
-                one(p)
-                print(f"passed  {time.monotonic() - start:5.1f} s  {name}", flush=True)
-            except Exception:
-                failed += 1
-                print(f"FAILED  {time.monotonic() - start:5.1f} s  {name}\n{traceback.format_exc()[-3000:]}", flush=True)
-                p.picture("failed-" + one.__name__)
-    finally:
-        p.driver.quit()
-    print(f"{len(tests)} tests, {failed} failed" if not options.names else f"{failed} failed")
-    return 1 if failed else 0
+    return run_tests(p, options.names)
 
 
 if __name__ == "__main__":

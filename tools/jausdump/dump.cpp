@@ -251,6 +251,7 @@ void dump::tell(const record& message) {
     if (!message.head && !options_.filter.passes(message)) return;
     summary_.add(message);
     if (options_.on_message) options_.on_message();
+    if (options_.watcher) options_.watcher(message);
     if (options_.receiver) return options_.receiver(message);
     if (options_.summary_only || options_.quiet) return;
     const auto time = time_stamps_.next(message.origin.time);

@@ -29,6 +29,7 @@ struct options {
     std::function<void(const record&)> receiver{}; ///< of each message; not set: it is printed
     std::function<void()> on_message{};            ///< before each message that passes the filter
     std::function<void()> on_skipped{};            ///< for each packet that is counted as skipped
+    std::function<void(const record&)> watcher{};  ///< also gets each message
 };
 
 class dump {

@@ -5,11 +5,15 @@
 #include "ethercat_reader.hpp"
 #include "input_lines.hpp"
 #include "listener.hpp"
+#include "live_record.hpp"
 #include "replayer.hpp"
 #include "serial_file.hpp"
 #include "serial_lines.hpp"
+#include "support/known_messages.hpp"
+#include "support/live_view.hpp"
 #include "support/program.hpp"
 #include "top.hpp"
+#include <jauscat/catalogue/sae.hpp>
 
 #include <fstream>
 #include <optional>
@@ -64,6 +68,7 @@ Examples:
   jausdump --listen 3794 --write drive.pcap --time relative
   jausdump drive.pcap --from 1.1 --write from_1_1.pcap --summary
   jausdump drive.pcap --replay 127.0.0.1:3794 --speed 2
+  jausdump --listen 3794 --web 8080           and the newest message of each kind at http://127.0.0.1:8080/
   sudo tcpdump -i any -U -w - udp port 3794 | jausdump -
   echo 0602050401210202012001010400220001000040 | jausdump --format json --reencode
   jausdump --format json --translate seed <messages.hex
@@ -385,10 +390,17 @@ int read_input(const po::variables_map& values) {
     if (serial && values.count("ethercat") != 0) throw usage_error{"--ethercat does not go with --jserial"};
     const auto table = object_table_from(values);
     if (!file && values.count("ethercat") != 0) throw usage_error{"--ethercat needs a capture"};
-    auto how = options_from(values);
+    if (values.count("web") != 0 && !live && (!file || values["capture"].as<std::string>() != "-"))
+        throw usage_error{"--web needs --listen PORT, or a capture from standard input"};
+    example::live_view view{"jausdump", values, {}, example::known_messages(), &jauscat::catalogue::sae()};
+    auto options = options_from(values);
     outputs out;
-    make_outputs(out, values, how);
-    jausdump::dump dump{std::move(how)};
+    make_outputs(out, values, options);
+    if (auto* const feed = view.make_feed())
+        options.watcher = [feed](const jausdump::record& message) { jausdump::show(*feed, message); };
+    jausdump::dump dump{std::move(options)};
+    view.start();
+    if (const auto link = view.link(); !link.empty()) std::cerr << "jausdump: live view at " << link << "\n";
     std::string problem;
     try {
         if (serial)
@@ -453,6 +465,7 @@ int main(int argc, char** argv) {
             ("to", po::value<std::vector<std::string>>(), "only to this JAUS ID")
             ("summary", "show only the number of each message");
         // clang-format on
+        example::add_web_options(options);
         po::positional_options_description positional;
         positional.add("capture", 1);
         try {

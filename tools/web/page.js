@@ -769,6 +769,7 @@ function part_at(target) {
 }
 
 function keep_state() {
+    if (document.body.dataset.view === "live") return; // which has a link of its own
     const state = new URLSearchParams();
     const message = input.messages[selected];
     const text = from_capture && message ? pasted(message) : find("#text").value;
@@ -786,7 +787,8 @@ function keep_state() {
 }
 function restore() {
     const state = new URLSearchParams(location.hash.slice(1));
-    const text = state.get("text") ?? (state.get("hex") ?? "").split(".").map(spaced).join("\n");
+    const is_live = state.get("view") === "live" || !location.hash;
+    const text = state.get("text") ?? (state.get("hex") ?? (is_live ? examples[0][1].replaceAll(" ", "") : "")).split(".").map(spaced).join("\n");
     find("#text").value = text;
     fill_tables("ra");
     select_view(state.get("view") === "fields" ? "fields" : "bytes");
@@ -832,6 +834,7 @@ const examples = [
 ];
 
 async function take_file(file) {
+    if (document.body.dataset.view === "live") find("#tab-messages").click();
     say(`Reading ${file.name}.`);
     const buffer = await file.arrayBuffer();
     const start = new Uint8Array(buffer, 0, Math.min(4, buffer.byteLength)).join();
@@ -905,12 +908,14 @@ function start() {
     });
     addEventListener("hashchange", restore);
     fill_types();
-    if (!location.hash) location.replace("#hex=" + examples[0][1].replaceAll(" ", ""));
+    if (!location.hash && document.body.dataset.view !== "live") location.replace("#hex=" + examples[0][1].replaceAll(" ", ""));
     restore();
     document.documentElement.dataset.ready = "true";
 }
 
-load_module().then(start).catch(error => {
+/** Without a module the page has the live view only (assemble.py). */
+const has_module = module_gzip !== "";
+if (has_module) load_module().then(start).catch(error => {
     say("");
     find("#status").replaceChildren(made("span", { class: "wrong" }, `The module does not run: ${error.message}`));
     document.documentElement.dataset.ready = "failed";

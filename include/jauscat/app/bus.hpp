@@ -69,6 +69,9 @@ class bus {
     /// The slaves, in the order of their positions; empty until `async_start`.
     [[nodiscard]] JAUSCAT_DECL std::vector<slave_info> slaves() const;
 
+    /// The state of each slave that was found or is served, in the order of their positions.
+    [[nodiscard]] JAUSCAT_DECL std::vector<slave_status> statuses() const;
+
     /// Of the process data.
     [[nodiscard]] JAUSCAT_DECL bus_statistics statistics() const;
 

@@ -5,6 +5,7 @@
 #include <jauscat/ethercat/master/clock_record.hpp>
 #include <jauscat/ethercat/master/process_object.hpp>
 #include <jauscat/net/config/slave_entry.hpp>
+#include <jauscat/schema/ethercat/al_state.hpp>
 
 #include <algorithm>
 #include <array>
@@ -85,8 +86,18 @@ struct operate_options {
     std::span<ethercat::process_object> objects{};
 };
 
+/// The distributed clocks of a bus.
+struct bus_clocks {
+    std::uint16_t reference{}; ///< station address of the slave with the reference clock; 0: none is left
+    duration error{};          ///< of the cycles, by the reference clock: moving average; above 0: they are late
+    bool is_locked{};          ///< the cycles follow the reference clock
+};
+
 /// Of the cycles since the bus was started.
 struct bus_statistics {
+    /// Microseconds: upper bounds of `late_cycles`.
+    static constexpr std::array<unsigned, 10> late_limits{1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
+
     std::uint64_t cycles{};          ///< begun
     std::uint64_t incomplete{};      ///< all frames have returned, and not every slave has taken part
     std::uint64_t lost{};            ///< a frame at least did not return before the next cycle
@@ -97,6 +108,10 @@ struct bus_statistics {
     duration late{}; ///< the beginning of the last cycle, after it was due
     duration longest_late{};
     std::uint64_t foreign_frames{}; ///< of another master
+    duration period{};              ///< of the cycles; 0: there are none
+    /// Cycles that began so late after they were due: up to each limit, and the rest.
+    std::array<std::uint64_t, late_limits.size() + 1> late_cycles{};
+    std::optional<bus_clocks> clocks{}; ///< nothing: no slave has SYNC signals
 };
 
 /// Identity of a slave, object 1018h; what is not given is not compared.
@@ -155,6 +170,16 @@ struct slave_info {
     bool has_objects{}; ///< it has a CoE mailbox
     bool is_served{};   ///< by a bridge, or in OP by `async_operate`
     bool is_lost{};     ///< it does not answer
+};
+
+/// State of a slave.
+struct slave_status {
+    slave_info info{};
+    std::optional<ethercat::al_state> state{};  ///< as it was seen last; nothing: it was not, or it does not answer
+    std::optional<ethercat::al_state> wanted{}; ///< by a bridge or an operation
+    std::string problem{};                      ///< why it is not in that state; empty: nothing is known to be wrong
+    bool is_in_service{};                       ///< a bridge or an operation uses it, and it takes part
+    bool is_at_rest{};                          ///< no stop order waits for its confirmation
 };
 
 } // namespace JAUSCAT_WAY

@@ -1,5 +1,6 @@
 // The JAUS node of a program.
 #pragma once
+#include <jauscat/app/component_status.hpp>
 #include <jauscat/app/detail/unit.hpp>
 #include <jauscat/app/node_options.hpp>
 #include <jauscat/net/link/udp_counters.hpp>
@@ -7,6 +8,7 @@
 #include <boost/asio/io_context.hpp>
 
 #include <memory>
+#include <vector>
 
 namespace jauscat {
 inline namespace JAUSCAT_WAY {
@@ -52,6 +54,8 @@ class node {
     [[nodiscard]] JAUSCAT_DECL const jaus::address& manager() const noexcept;
     /// Datagrams since the last start.
     [[nodiscard]] JAUSCAT_DECL net::udp_counters counts() const noexcept;
+    /// The node's own components, its node manager included, and those that the node manager hears.
+    [[nodiscard]] JAUSCAT_DECL std::vector<component_status> components() const;
     /// Called for each component whose heartbeats begin, and for each one that is lost.
     JAUSCAT_DECL void when_appeared(std::function<void(const jaus::address& who)> f);
     JAUSCAT_DECL void when_disappeared(std::function<void(const jaus::address& who)> f);

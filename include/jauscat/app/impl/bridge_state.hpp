@@ -231,6 +231,7 @@ class bridge_state final : public std::enable_shared_from_this<bridge_state> {
     void start();
     void stop() noexcept;
     [[nodiscard]] bool has(const jaus::address& component) const;
+    void list(std::vector<component_status>& all) const;
     [[nodiscard]] served_slave& slave_of(const slave_choice& which);
     void flush();
 

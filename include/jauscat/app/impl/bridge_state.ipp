@@ -112,7 +112,22 @@ JAUSCAT_DECL node_part bridge_state::as_part() {
             .start = bound<&bridge_state::start>(*this),
             .stop = bound<&bridge_state::stop>(*this),
             .end = bound<&bridge_state::close>(*this),
-            .has = bound<&bridge_state::has>(*this)};
+            .has = bound<&bridge_state::has>(*this),
+            .list = bound<&bridge_state::list>(*this)};
+}
+JAUSCAT_DECL void bridge_state::list(std::vector<component_status>& all) const {
+    const auto locked = bus_->lock();
+    for (const auto& one : components_) {
+        component_status made{.id = one.self(), .is_own = true};
+        if (one.unit) {
+            made.state = one.unit->state();
+            if (const auto& by = one.unit->control().controller()) {
+                made.controller = by->address;
+                made.authority = by->authority_code;
+            }
+        }
+        all.push_back(std::move(made));
+    }
 }
 JAUSCAT_DECL void bridge_state::start() {
     const auto locked = bus_->lock();

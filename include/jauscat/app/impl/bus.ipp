@@ -21,6 +21,7 @@ JAUSCAT_DECL slave bus::slave(const slave_choice& which) const {
     return {state_, which};
 }
 JAUSCAT_DECL std::vector<slave_info> bus::slaves() const { return state_->infos(); }
+JAUSCAT_DECL std::vector<slave_status> bus::statuses() const { return state_->statuses(); }
 JAUSCAT_DECL void bus::cancel() { state_->cancel(); }
 JAUSCAT_DECL void bus::stop() { state_->stop(); }
 JAUSCAT_DECL bus_statistics bus::statistics() const { return state_->statistics(); }

@@ -271,6 +271,9 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     /// This is the thread of the bus.
     [[nodiscard]] bool is_own_thread() const noexcept { return thread_ && thread_->is_this(); }
     [[nodiscard]] std::vector<slave_info> infos() const;
+    [[nodiscard]] std::vector<slave_status> statuses() const;
+    /// Under the lock, with a ring.
+    [[nodiscard]] std::optional<bus_clocks> clocks() const;
     /// Nullptr and the error where none, or several, are as required.
     [[nodiscard]] bus_slave* find(const slave_choice& which, error_code& error);
     [[nodiscard]] duration timeout_of(const slave_choice& which);
@@ -408,6 +411,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     time_point next_find_{}; ///< of named slaves that have come, gone or moved
     std::string problem_{};  ///< of the link, as it was logged
     ethercat::clock_agreement clocks_{};
+    decltype(bus_statistics::late_cycles) late_cycles_{};
     duration operate_period_{}; ///< of the last async_operate; 0: there was none
     bool looked_last_{};        ///< the last job was a look at a slave
     bool has_seen_master_{}, has_seen_gap_{};

@@ -207,6 +207,7 @@ template <class F, class... Arguments> void bus_state::call_later(F bus_state::*
 JAUSCAT_DECL void bus_state::open() {
     if (ring_) return;
     ring_ = std::make_unique<ring_type>(timing_);
+    late_cycles_ = {};
     ring_->share({.begin = jaus::bound<&bus_state::begin_job>(*this),
                   .done = jaus::bound<&bus_state::end_job>(*this),
                   .cycle = jaus::bound<&bus_state::run_cycle>(*this)});

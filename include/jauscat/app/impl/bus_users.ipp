@@ -1,6 +1,7 @@
 // What has slaves of a bus served in its cycles: bridges, and slaves in operation.
 #pragma once
 #include <jauscat/app/impl/bus_jobs.hpp>
+#include <jauscat/ethercat/code_texts.hpp>
 
 #include <boost/asio/post.hpp>
 
@@ -352,7 +353,49 @@ JAUSCAT_DECL bus_statistics bus_state::statistics() const {
             .longest_round_trip = times.longest_round_trip,
             .late = times.late,
             .longest_late = times.longest_late,
-            .foreign_frames = ring_->statistics().foreign};
+            .foreign_frames = ring_->statistics().foreign,
+            .period = counts.sent != 0 ? timing_.period : duration{},
+            .late_cycles = late_cycles_,
+            .clocks = clocks()};
+}
+JAUSCAT_DECL std::optional<bus_clocks> bus_state::clocks() const {
+    const auto& cycle = ring_->clocks();
+    if (!cycle) return {};
+    return bus_clocks{.reference = cycle->reference_station(),
+                      .error = cycle->control().mean_error(),
+                      .is_locked = cycle->control().is_locked()};
+}
+JAUSCAT_DECL std::vector<slave_status> bus_state::statuses() const {
+    const auto locked = lock();
+    std::vector<slave_status> all;
+    for (const auto& each : slaves_) {
+        slave_status made{.info = each.info, .is_at_rest = true};
+        if (!each.info.is_lost && ethercat::is_known(each.al.state)) made.state = each.al.state;
+        if (each.info.is_lost)
+            made.problem = each.why.message();
+        else if (each.al.error)
+            made.problem = std::string{ethercat::describe(each.al.code)};
+        all.push_back(std::move(made));
+    }
+    for (const auto* const user : users_) {
+        const auto& front = user->front();
+        auto found = std::ranges::find(all, front.station(), [](const auto& one) { return one.info.station; });
+        if (found == all.end()) { // of a bridge, on a bus that was not searched
+            all.push_back({.info = {.position = front.options().position, .station = front.station()}});
+            found = all.end() - 1;
+        }
+        found->info.is_served = true;
+        found->wanted = front.options().cyclic ? ethercat::al_state::op : ethercat::al_state::pre_op;
+        found->is_in_service = front.up();
+        found->is_at_rest =
+            std::ranges::none_of(front.components(), [](const auto* unit) { return unit->stops().stop_is_pending(); });
+        if (front.up()) found->state = found->wanted;
+        const auto& why = ring_->bring_up_error(front);
+        if (!front.up() && found->problem.empty() && why != ethercat::master_error{})
+            found->problem = std::string{ethercat::describe(why)};
+    }
+    std::ranges::stable_sort(all, {}, [](const auto& one) { return one.info.position; });
+    return all;
 }
 JAUSCAT_DECL void bus_state::keep_cycling() noexcept {
     if (!ring_) return;
@@ -360,6 +403,9 @@ JAUSCAT_DECL void bus_state::keep_cycling() noexcept {
     wake();
 }
 JAUSCAT_DECL void bus_state::run_cycle() {
+    const auto late = std::ranges::lower_bound(bus_statistics::late_limits, ring_->times().late, {},
+                                               [](unsigned limit) { return std::chrono::microseconds{limit}; });
+    ++late_cycles_[static_cast<std::size_t>(late - bus_statistics::late_limits.begin())];
     if (operate_period_ == duration{}) return;
     const auto now = net::now();
     for (const auto& each : cycle_users_) each->on_cycle(now);

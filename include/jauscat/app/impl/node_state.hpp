@@ -28,6 +28,7 @@ class node_state {
     void add(node_part part) { parts_.push_back(std::move(part)); }
     /// A component has this ID.
     [[nodiscard]] bool has(const jaus::address& self) const;
+    [[nodiscard]] std::vector<component_status> statuses() const;
     void log(std::string_view line) const;
     /// Of the component's state machines: its next event may be earlier.
     void wake() { net_.wake(); }

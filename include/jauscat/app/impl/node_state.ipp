@@ -91,6 +91,39 @@ JAUSCAT_DECL bool node_state::has(const jaus::address& self) const {
            std::ranges::any_of(parts_, [&](const auto& one) { return one.has(self); });
 }
 
+JAUSCAT_DECL std::vector<component_status> node_state::statuses() const {
+    std::vector<component_status> all;
+    const auto* const present = net_.present();
+    if (present != nullptr)
+        all.push_back(
+            {.id = net_.manager(),
+             .is_own = true,
+             .name = "node manager",
+             .state = net_.running() ? jaus::primary_status_code::ready : jaus::primary_status_code::shutdown});
+    for (const auto& one : components_)
+        if (!one->is_closed())
+            all.push_back({.id = one->self(),
+                           .is_own = true,
+                           .name = std::string{one->identity().identification},
+                           .state = one->state(),
+                           .controller = one->controller()});
+    for (const auto& one : parts_)
+        if (one.list) one.list(all);
+    for (auto& one : all) {
+        const jaus::identity named{.identification = one.name};
+        one.name = std::string{net::detail::identity_of(net_.config(), one.id, named).identification};
+    }
+    if (present == nullptr) return all;
+    const auto own = all.size();
+    const auto now = net::now();
+    present->for_each([&](const jaus::address& id) {
+        const auto ours = all.begin() + static_cast<std::ptrdiff_t>(own);
+        if (std::ranges::find(all.begin(), ours, id, &component_status::id) != ours) return;
+        all.push_back({.id = id, .age = now - present->find(id)->last_heard_at});
+    });
+    return all;
+}
+
 JAUSCAT_DECL void node_state::require_stopped() const {
     if (net_.running()) throw std::logic_error{"the node is running"};
     const auto is_at_work = [](const auto& one) { return one->is_in_turn(); };
@@ -271,6 +304,7 @@ JAUSCAT_DECL void node::stop() { state_->stop(); }
 JAUSCAT_DECL boost::asio::io_context& node::context() noexcept { return state_->context(); }
 JAUSCAT_DECL const jaus::address& node::manager() const noexcept { return state_->net().manager(); }
 JAUSCAT_DECL net::udp_counters node::counts() const noexcept { return state_->net().counts(); }
+JAUSCAT_DECL std::vector<component_status> node::components() const { return state_->statuses(); }
 JAUSCAT_DECL void node::when_appeared(std::function<void(const jaus::address& who)> f) {
     state_->on_appeared = std::move(f);
 }

@@ -74,6 +74,10 @@ class clock_cycle {
     [[nodiscard]] std::uint64_t reference_time() const noexcept { return time_; }
     /// Place of the reference clock; the number of slaves where none is left.
     [[nodiscard]] std::size_t reference() const noexcept { return reference_; }
+    /// Its station address; 0 where none is left.
+    [[nodiscard]] std::uint16_t reference_station() const noexcept {
+        return is_lost() ? std::uint16_t{} : slaves_[reference_].station;
+    }
     /// They were set up again, one more or one less among them; what is known of the reference time stays.
     JAUSCAT_FUNCTION void set_slaves(std::span<const clock_record> slaves, const clock_network& network) noexcept;
     /// Another slave's clock is the reference: the first one's, once it has been set up again.
