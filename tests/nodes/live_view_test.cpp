@@ -70,8 +70,7 @@ TEST_CASE("the controller's faults are in its live view") {
     r.arm().kill();
     const auto lost = find(viewer, "faults", [](const json& one) { return one["level"] == "bad"; });
     CHECK(lost["text"].get<std::string>().starts_with("controller: "));
-    find(viewer, "components",
-         [](const json& one) { return one["id"] == "2.2.33.1" && one["state"] == "failure"; });
+    find(viewer, "components", [](const json& one) { return one["id"] == "2.2.33.1" && one["state"] == "failure"; });
 }
 
 TEST_CASE("jausdump shows the messages of a port") {
