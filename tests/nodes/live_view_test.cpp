@@ -46,15 +46,15 @@ TEST_CASE("robot_controller and ocu show their messages, components and slaves")
     CHECK(driver["id"] == "2.2.33.1");
     CHECK(driver["state"] == "ready");
     CHECK(driver["authority"] == 128);
-    const auto command = viewer.row("set_wrench_effort");
+    const auto command = find(viewer, "messages", [](const json& one) { // not the acknowledgement
+        return one["name"] == "set_wrench_effort" && one["way"] == "received";
+    });
     CHECK(command["from"] == "1.1.32.1");
-    CHECK(command["way"] == "received");
     CHECK(command["fields"]["propulsive_linear_effort_x"].get<double>() == Approx(50).margin(0.01));
 
     web_client unit_viewer{web_port(unit)};
     REQUIRE(unit_viewer.watch().status == 101);
-    CHECK(unit_viewer.next()["hello"]["program"] == "ocu");
-    CHECK(find(unit_viewer, "systems", [](const json& one) { return one["subsystem"] == 2; })["alive"] == true);
+    find(unit_viewer, "systems", [](const json& one) { return one["subsystem"] == 2 && one["alive"] == true; });
     REQUIRE(unit.end(SIGTERM) == 0);
     // A viewer keeps no program from its end.
     r.stop();
@@ -70,8 +70,7 @@ TEST_CASE("the controller's faults are in its live view") {
     r.arm().kill();
     const auto lost = find(viewer, "faults", [](const json& one) { return one["level"] == "bad"; });
     CHECK(lost["text"].get<std::string>().starts_with("controller: "));
-    find(viewer, "components",
-         [](const json& one) { return one["id"] == "2.2.33.1" && one["state"] == "failure"; });
+    find(viewer, "components", [](const json& one) { return one["id"] == "2.2.33.1" && one["state"] == "failure"; });
 }
 
 TEST_CASE("jausdump shows the messages of a port") {
