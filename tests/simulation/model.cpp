@@ -519,6 +519,7 @@ void model::executes(std::uint8_t which, command_number command) {
                  .message = sent != nullptr ? sent->number : 0,
                  .value = command});
     note_efforts(a, command);
+    if ((sent == nullptr || sent->destination != a.id) && has_address_of_another(a)) return;
     obeys(a, sent, command);
     if (sent == nullptr) return;
     a.commander = sent->sender;
@@ -530,6 +531,14 @@ void model::executes(std::uint8_t which, command_number command) {
     ++sent->executed;
     sent->executed_at = world_.now();
     sent->done = true;
+}
+
+// Its slave gets the commands of another one, too, until the bridge can have noticed it.
+bool model::has_address_of_another(const actuator_account& a) const {
+    return a.wire != nullptr && any_slave(a, [&](const ring_place& each) {
+               return each.taken_since &&
+                      world_.now() - std::max(*each.taken_since, a.program->jumped_at()) <= a.noticed_in;
+           });
 }
 
 // An actuator, or the first axes of one.

@@ -226,6 +226,7 @@ class model {
     [[nodiscard]] static bool state_is_right(const actuator_account& a, std::uint16_t code);
     void look(actuator_account& a) const;
     void note_efforts(actuator_account& a, command_number command);
+    [[nodiscard]] bool has_address_of_another(const actuator_account& a) const;
     void obeys(actuator_account& a, const sent_message* sent, command_number command);
     [[nodiscard]] static const arm_unit* arm_of(const actuator_account& a);
     [[nodiscard]] static bool is_told_to_rest(const actuator_account& a);

@@ -70,8 +70,9 @@ void ring::try_later(fault kind) {
 }
 
 void ring::tell(std::size_t place, ring_deed what, std::uint32_t value) {
+    // What was sent while the cable was out is sent again when it is back.
     constexpr std::array of_frames{ring_deed::frame_lost, ring_deed::frame_delayed, ring_deed::frame_doubled,
-                                   ring_deed::frame_damaged};
+                                   ring_deed::frame_damaged, ring_deed::cable_back};
     if (std::ranges::find(of_frames, what) != of_frames.end())
         frames_disturbed_at_[disturbed_frames_++ % frames_disturbed_at_.size()] = world_.now();
     world_.tell(

@@ -343,6 +343,7 @@ class ring {
     // Silence is counted in cycles, each at most as long as it is to be: the time in which this program did not run is
     // none of the slave's. A cycle whose frames were forgotten, because another slave came or went, counts as well.
     JAUSCAT_FUNCTION void end_cycle(time_point now);
+    [[nodiscard]] JAUSCAT_FUNCTION bool has_lost_station(const place& at) const noexcept;
     JAUSCAT_FUNCTION void give_up_settling(place& at, time_point now, jaus::message_sink out);
     // A slave by mailbox need not be in OP.
     [[nodiscard]] JAUSCAT_FUNCTION static bool works_in(const place& at, const ethercat::al_status& al) noexcept;

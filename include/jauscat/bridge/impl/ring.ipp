@@ -992,6 +992,8 @@ JAUSCAT_FUNCTION void ring::watch_cycles(time_point now, jaus::message_sink out)
                                   works_in(each, seen.al);
             if (is_cyclic ? seen.condition == running : is_there)
                 start_process_data(each, now, out);
+            else if (has_lost_station(each))
+                give_up_settling(each, now, out); // what answers to its address later may be another slave
             else if (now >= each.settling_until)
                 give_up_settling(each, now, out);
             continue;
@@ -1031,6 +1033,14 @@ JAUSCAT_FUNCTION void ring::end_cycle(time_point now) {
         const auto last = last_working(each, *each.status);
         each.silence = last && *last >= *cycle_begun_ ? duration{} : each.silence + lasted;
     }
+}
+
+// In a frame of its settling, and not in one that was sent before it was brought up.
+JAUSCAT_FUNCTION bool ring::has_lost_station(const place& at) const noexcept {
+    using enum ethercat::slave_condition;
+    const auto& seen = *at.status;
+    return (seen.condition == absent || seen.condition == duplicate) && seen.last_frame &&
+           saturating_add(*seen.last_frame, options_.master.state_timeout) >= at.settling_until;
 }
 
 JAUSCAT_FUNCTION void ring::give_up_settling(place& at, time_point now, jaus::message_sink out) {
