@@ -73,11 +73,13 @@ class front {
     }
 
   private:
-    [[nodiscard]] jauscat::net::live_state live_state(const std::string& link) const {
+    [[nodiscard]] jauscat::net::live_state live_state(const std::string& link) {
         const auto components = node_.components();
+        const auto slaves = bus_.statuses();
+        errors_.ask(slaves);
         return {.systems = live_systems(config_, components),
                 .components = live_components(components),
-                .buses = {live_bus_of(link, bus_.statistics(), bus_.statuses())}};
+                .buses = {live_bus_of(link, bus_.statistics(), slaves, errors_)}};
     }
     void tell_ready() {
         if (std::exchange(is_ready_, true)) return;
@@ -90,6 +92,7 @@ class front {
     jauscat::bridge_options options_;
     jauscat::node node_;
     jauscat::bus bus_;
+    live_errors errors_{bus_};
     live_reporter reporter_;
     std::optional<jauscat::bridge> bridge_{};
     boost::asio::signal_set stop_{node_.context(), SIGINT, SIGTERM};

@@ -20,7 +20,8 @@ if "--" in arguments:
 else:
     source = arguments[-1]
     entries = json.loads(pathlib.Path(arguments[arguments.index("-p") + 1], "compile_commands.json").read_text())
-    compilation = next(entry for entry in entries if os.path.samefile(entry["file"], source))
+    path = os.path.realpath(source)  # a generated source may not be there yet
+    compilation = next(entry for entry in entries if os.path.realpath(entry["file"]) == path)
     os.chdir(compilation["directory"])
     command = ["clang-tidy", "--quiet", "-p", compilation["directory"], *arguments[2:-1], compilation["file"]]
     words = shlex.split(compilation["command"])

@@ -1,7 +1,7 @@
 // The live view of a node and its bus.
 #pragma once
 #include "support/live_view.hpp"
-#include <jauscat/app/bus_options.hpp>
+#include <jauscat/app/bus.hpp>
 #include <jauscat/app/component_status.hpp>
 #include <jauscat/app/node_options.hpp>
 #include <jauscat/net/config/jaus_config.hpp>
@@ -14,6 +14,9 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <map>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -69,8 +72,58 @@ live_components(std::span<const jauscat::component_status> components) {
                        .age = one.age});
     return all;
 }
+/// The error counters of the slaves of a bus. Each slave is asked at most once a second.
+class live_errors {
+  public:
+    /// `bus` must outlive it.
+    explicit live_errors(const jauscat::bus& bus) : bus_{bus} {}
+
+    /// To be called ten times a second, while a viewer is there.
+    void ask(std::span<const jauscat::slave_status> slaves) {
+        const std::size_t turn = calls_++ % std::max(calls_of_second, slaves.size());
+        if (turn >= slaves.size() || known_->is_asking) return;
+        const auto position = slaves[turn].info.position;
+        if (!slaves[turn].is_in_service) { // an operation would begin to look for it
+            known_->of.erase(position);
+            return;
+        }
+        known_->is_asking = true;
+        bus_.slave({.position = position})
+            .async_error_counters([known = known_, position](auto error, const auto& counted) {
+                known->is_asking = false;
+                if (error)
+                    known->of.erase(position);
+                else
+                    known->of[position] = sums_of(counted);
+            });
+    }
+    [[nodiscard]] std::optional<jauscat::net::live_slave_errors> of(std::uint16_t position) const {
+        const auto found = known_->of.find(position);
+        if (found == known_->of.end()) return {};
+        return found->second;
+    }
+
+  private:
+    static constexpr std::size_t calls_of_second = 10;
+    /// Is left to an operation that outlives this.
+    struct known {
+        bool is_asking{};
+        std::map<std::uint16_t, jauscat::net::live_slave_errors> of{};
+    };
+    static jauscat::net::live_slave_errors sums_of(const jauscat::ethercat::error_counters& counted) {
+        jauscat::net::live_slave_errors made{};
+        for (const auto& port : counted.ports) made.invalid_frames += port.invalid_frames;
+        for (const unsigned count : counted.forwarded_errors) made.forwarded += count;
+        for (const unsigned count : counted.lost_links) made.lost_links += count;
+        return made;
+    }
+
+    const jauscat::bus& bus_;
+    std::shared_ptr<known> known_{std::make_shared<known>()};
+    std::size_t calls_{};
+};
 inline jauscat::net::live_bus live_bus_of(std::string name, const jauscat::bus_statistics& counts,
-                                          std::span<const jauscat::slave_status> slaves) {
+                                          std::span<const jauscat::slave_status> slaves, const live_errors& errors) {
     using jauscat::ethercat::al_state;
     jauscat::net::live_bus made{.name = std::move(name),
                                 .period = counts.period,
@@ -102,6 +155,7 @@ inline jauscat::net::live_bus live_bus_of(std::string name, const jauscat::bus_s
                                .state = text(one.state),
                                .wanted = text(one.wanted),
                                .al_status = one.problem,
+                               .errors = errors.of(info.position),
                                .is_in_service = one.is_in_service,
                                .is_at_rest = one.is_at_rest});
     }

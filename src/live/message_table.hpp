@@ -41,7 +41,7 @@ class message_table {
         std::uint16_t code{};
         std::uint8_t way{};
         bool is_sae{};
-        friend auto operator<=>(const key&, const key&) = default;
+        friend auto operator<=>(const key&, const key&) = default; // NOLINT: <=> has a 0
     };
     struct row {
         net::detail::live_sample newest{};

@@ -126,6 +126,10 @@ TEST_CASE("a bus finds its slaves and identifies them") {
     const auto [error, al] = b.outcome<ethercat::al_status>([&](auto done) { b.bus->slave(first).async_state(done); });
     CHECK_FALSE(error);
     CHECK(al.state == ethercat::al_state::pre_op);
+    const auto [why, counted] =
+        b.outcome<ethercat::error_counters>([&](auto done) { b.bus->slave(first).async_error_counters(done); });
+    CHECK_FALSE(why);
+    CHECK(counted == ethercat::error_counters{});
     CHECK_FALSE(b.start()); // again
     CHECK(b.bus->slaves().size() == 3);
 }

@@ -622,6 +622,9 @@ TEST_CASE("each function of a bus and of its slaves has a defined result in each
         {"async_state",
          [](bench& b) { return b.begin([&](auto done) { b.arm.async_state(done); }); },
          {not_started, good, not_started, aborted, good}},
+        {"async_error_counters",
+         [](bench& b) { return b.begin([&](auto done) { b.arm.async_error_counters(done); }); },
+         {not_started, good, not_started, aborted, good}},
         {"async_change",
          [](bench& b) {
              return b.begin([&](auto done) { b.arm.async_change(jauscat::ethercat::al_state::init, done); });

@@ -1,4 +1,4 @@
-// Registers of the distributed clock and of the ports, byte for byte.
+// Registers of the distributed clock, of the ports and of error counters, byte for byte.
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include <jauscat/schema/ethercat/dc_registers.hpp>
@@ -51,6 +51,15 @@ TEST_CASE("bits of the SYNC unit") {
     CHECK(bytes_of(esc_registers::dc_activation, {.on = true, .sync0 = true, .sync1 = true}) == "07");
     CHECK(bytes_of(esc_registers::dc_cyclic_control, {.latch0_by_pdi = true, .latch1_by_pdi = true}) == "30");
     CHECK(value_of(esc_registers::dc_activation_status, "04").start_not_near);
+}
+
+TEST_CASE("error counters stand in the order of the data sheet") {
+    const auto counted = value_of(esc_registers::error_counters, "0102030405060708 090a0b0c 0d 0e ffff 1112ff14");
+    CHECK(counted.ports == std::array<port_error_counters, 4>{{{1, 2}, {3, 4}, {5, 6}, {7, 8}}});
+    CHECK(counted.forwarded_errors == std::array<std::uint8_t, 4>{9, 10, 11, 12});
+    CHECK(counted.processing_errors == 13);
+    CHECK(counted.pdi_errors == 14);
+    CHECK(counted.lost_links == std::array<std::uint8_t, 4>{0x11, 0x12, 0xFF, 0x14});
 }
 
 TEST_CASE("a port is open if its loop is open and it communicates") {

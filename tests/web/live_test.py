@@ -308,6 +308,7 @@ def a_bus_has_its_slaves_and_a_dead_arm_is_a_fault(p):
     facts = p.text("#live-buses dl")
     assert "Working counter" in facts and "Period" in facts, facts
     p.until(lambda: sum(int(row[1]) for row in rows(p, "#live-buses .histogram")) > 10, "no cycle in the histogram")
+    p.until(lambda: any(row[5:8] == ["0", "0", "0"] for row in rows(p, "#live-buses .slaves")), "no error counters")
     before = len(p.all("#live-faults li.bad"))
     p.robot.stop("robot_arm", signal.SIGKILL)
     p.until(lambda: len(p.all("#live-faults li.bad")) > before, "no fault of the lost arm")

@@ -16,35 +16,25 @@ using std::chrono::microseconds;
 
 namespace {
 
-/// Counters stop at 255. ET1100 data sheet, section II: 0300h to 0313h.
-struct error_counters {
-    bytes data = bytes(20);
-
-    [[nodiscard]] unsigned at(std::size_t offset) const { return std::to_integer<unsigned>(data.at(offset)); }
-    [[nodiscard]] unsigned invalid_frames(unsigned port) const { return at(2 * port); }
-    [[nodiscard]] unsigned receive_errors(unsigned port) const { return at(2 * port + 1); }
-    [[nodiscard]] unsigned forwarded_errors(unsigned port) const { return at(8 + port); }
-    [[nodiscard]] unsigned processing_errors() const { return at(12); }
-    [[nodiscard]] unsigned pdi_errors() const { return at(13); }
-    [[nodiscard]] unsigned lost_links(unsigned port) const { return at(16 + port); }
-};
-
 struct slave_ports {
     std::uint16_t position{};
     std::uint8_t ports{};
-    error_counters before{};
-    error_counters after{};
+    jauscat::ethercat::error_counters before{};
+    jauscat::ethercat::error_counters after{};
 };
 
 bool has_port(const slave_ports& slave, unsigned port) { return (slave.ports >> 2 * port & 3) != 0; }
 
 unsigned grown(const slave_ports& slave, unsigned port) {
     unsigned sum = 0;
-    for (const auto counter : {&error_counters::invalid_frames, &error_counters::receive_errors,
-                               &error_counters::forwarded_errors, &error_counters::lost_links}) {
-        const auto before = (slave.before.*counter)(port), after = (slave.after.*counter)(port);
+    const auto add = [&](unsigned before, unsigned after) {
         sum += after >= before ? after - before : after; // cleared meanwhile
-    }
+    };
+    const auto &before = slave.before, &after = slave.after;
+    add(before.ports[port].invalid_frames, after.ports[port].invalid_frames);
+    add(before.ports[port].receive_errors, after.ports[port].receive_errors);
+    add(before.forwarded_errors[port], after.forwarded_errors[port]);
+    add(before.lost_links[port], after.lost_links[port]);
     return sum;
 }
 
@@ -73,7 +63,7 @@ int monitor(const arguments& given) {
     std::vector<slave_ports> ports;
     for (std::uint16_t i = 0; i != slaves; ++i) {
         ports.push_back({.position = i, .ports = on.read(i, registers::description).ports});
-        ports.back().before.data = on.read(i, registers::error_counters.address, registers::error_counters.size);
+        ports.back().before = on.read(i, registers::error_counters);
     }
 
     const auto period = given.period == given.period.zero() ? microseconds{1000} : given.period;
@@ -112,19 +102,19 @@ int monitor(const arguments& given) {
             is_fine = false;
             continue;
         }
-        each.after.data = read[0].data;
+        static_cast<void>(jauscat::wire::decode(each.after, read[0].data)); // of its size
         for (unsigned port = 0; port != 4; ++port) {
             if (!has_port(each, port)) continue;
             const auto more = grown(each, port);
             if (more != 0) is_fine = false;
             rows.push_back({{"position", each.position},
                             {"port", port},
-                            {"invalid_frames", each.after.invalid_frames(port)},
-                            {"receive_errors", each.after.receive_errors(port)},
-                            {"forwarded_errors", each.after.forwarded_errors(port)},
-                            {"lost_links", each.after.lost_links(port)},
-                            {"processing_errors", each.after.processing_errors()},
-                            {"pdi_errors", each.after.pdi_errors()},
+                            {"invalid_frames", each.after.ports[port].invalid_frames},
+                            {"receive_errors", each.after.ports[port].receive_errors},
+                            {"forwarded_errors", each.after.forwarded_errors[port]},
+                            {"lost_links", each.after.lost_links[port]},
+                            {"processing_errors", each.after.processing_errors},
+                            {"pdi_errors", each.after.pdi_errors},
                             {"new", more}});
             port_list.emplace_back(rows.back());
         }

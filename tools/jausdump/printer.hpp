@@ -43,7 +43,7 @@ class summary {
 /// The columns' names; sizes are those of bodies, in bytes.
 std::string heading(const palette& colour, time_display display);
 /// A line for the message, then its fields; also its bytes with their offsets, if `with_bytes`.
-std::string to_text(const record& message, const time_stamp& time, const palette& colour, bool with_bytes);
+std::string to_text(const record& message, const time_stamp& stamp, const palette& colour, bool with_bytes);
 /// One object on one line.
 std::string to_json_line(const record& message, const time_stamp& time);
 inline std::string to_json_line(const record& message) { return to_json_line(message, {.value = message.origin.time}); }

@@ -28,7 +28,7 @@ class replayer {
     void on_datagram(std::span<const std::byte> payload, std::chrono::nanoseconds time);
     void wait_for(std::chrono::nanoseconds time);
     void send(std::span<const std::byte> payload);
-    void note_refusal(const boost::system::error_code& error);
+    void note_refusal(const boost::system::error_code& failed);
     void show_progress();
 
     using steady = std::chrono::steady_clock;

@@ -2,6 +2,7 @@
 #pragma once
 #include <jauscat/app/bus_options.hpp>
 #include <jauscat/app/object_value.hpp>
+#include <jauscat/schema/ethercat/error_counters.hpp>
 #include <jauscat/schema/ethercat/sdo_information.hpp>
 
 #include <boost/asio/io_context.hpp>
@@ -116,6 +117,16 @@ class slave {
             },
             token, *this);
     }
+    /// Reads how many errors the slave's controller has counted at its ports. Errors: slave_lost.
+    /// `void(error_code, ethercat::error_counters)`.
+    template <class Token = default_token> auto async_error_counters(Token&& token = Token{}) const {
+        return boost::asio::async_initiate<Token, void(app::error_code, ethercat::error_counters)>(
+            [](auto handler, const slave& self) {
+                self.error_counters(app::make_operation<ethercat::error_counters>(
+                    std::move(handler), app::no_conversion{}, self.executor()));
+            },
+            token, *this);
+    }
     /// Takes the slave to INIT, PRE-OP or SAFE-OP, step by step; on the way to SAFE-OP its process data are configured.
     /// An error of the slave is acknowledged. To OP: `async_operate` (needs_cycles). A slave in operation is brought to
     /// rest first, by outputs of zeros. Errors: slave_lost, served,
@@ -176,6 +187,7 @@ class slave {
     JAUSCAT_DECL void describe_entry(std::uint16_t index, std::uint8_t subindex,
                                      app::operation_ptr<entry_information> done) const;
     JAUSCAT_DECL void state(app::operation_ptr<ethercat::al_status> done) const;
+    JAUSCAT_DECL void error_counters(app::operation_ptr<ethercat::error_counters> done) const;
     JAUSCAT_DECL void change(ethercat::al_state goal, app::operation_ptr<> done) const;
     JAUSCAT_DECL void operate(const operate_options& options, app::operation_ptr<> done) const;
 

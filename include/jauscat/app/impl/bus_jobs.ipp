@@ -769,6 +769,20 @@ JAUSCAT_DECL void bus_state::state(const slave_choice& which, operation_ptr<ethe
         which, std::move(done), [](const bus_slave& slave) { return ethercat::check{slave.info.station}; },
         [](const ethercat::al_status& al, auto& to) { to.complete({}, al); });
 }
+JAUSCAT_DECL void bus_state::error_counters(const slave_choice& which, operation_ptr<ethercat::error_counters> done) {
+    constexpr auto registers = ethercat::esc_registers::error_counters;
+    const auto read = std::span{memory_}.first(registers.size);
+    ask(
+        which, std::move(done),
+        [=](const bus_slave& slave) {
+            return ethercat::exchange_datagram{ethercat::command::fprd, slave.info.station, registers.address, read};
+        },
+        [read](std::uint16_t answers, auto& to) {
+            ethercat::error_counters counted{};
+            const bool is_of_one = answers == 1 && wire::decode(counted, read);
+            to.complete(is_of_one ? error_code{} : bus_errc::slave_lost, counted);
+        });
+}
 JAUSCAT_DECL void bus_state::change(const slave_choice& which, ethercat::al_state goal, operation_ptr<> done) {
     {
         const auto locked = lock();

@@ -217,6 +217,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     void describe_entry(const slave_choice& which, std::uint16_t index, std::uint8_t subindex,
                         operation_ptr<entry_information> done);
     void state(const slave_choice& which, operation_ptr<ethercat::al_status> done);
+    void error_counters(const slave_choice& which, operation_ptr<ethercat::error_counters> done);
     void change(const slave_choice& which, ethercat::al_state goal, operation_ptr<> done);
     void operate(const slave_choice& which, const operate_options& options, operation_ptr<> done);
     /// Process data of a slave in operation.

@@ -44,6 +44,9 @@ JAUSCAT_DECL void slave::describe_entry(std::uint16_t index, std::uint8_t subind
 JAUSCAT_DECL void slave::state(app::operation_ptr<ethercat::al_status> done) const {
     bus_->state(which_, std::move(done));
 }
+JAUSCAT_DECL void slave::error_counters(app::operation_ptr<ethercat::error_counters> done) const {
+    bus_->error_counters(which_, std::move(done));
+}
 JAUSCAT_DECL bool slave::is_operating() const { return bus_->data_of(which_).has_value(); }
 JAUSCAT_DECL std::span<std::byte> slave::outputs() const {
     const auto data = bus_->data_of(which_);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <jauscat/schema/ethercat/al_state.hpp>
+#include <jauscat/schema/ethercat/error_counters.hpp>
 #include <jauscat/wire/schema.hpp>
 
 #include <array>
@@ -66,7 +67,8 @@ inline constexpr esc_register_of<esc_word> pdi_control{
     {0x0140, 2}};                                            ///< kind of the interface to the slave's application
 inline constexpr esc_register ecat_event_mask{0x0200, 2};    ///< which events go into the datagrams' `irq`
 inline constexpr esc_register ecat_event_request{0x0210, 2}; ///< the events there are
-inline constexpr esc_register error_counters{0x0300, 20};    ///< a write to any of them clears its group
+inline constexpr esc_register_of<ethercat::error_counters> error_counters{
+    {0x0300, 20}}; ///< a write to any of them clears its group
 inline constexpr esc_register_of<ethercat::sii_owner> sii_owner{{0x0500, 1}};     ///< owner of the SII memory
 inline constexpr esc_register_of<ethercat::sii_request> sii_request{{0x0502, 6}}; ///< command, status and address
 inline constexpr esc_register_of<ethercat::sii_access> sii_access{{0x0502, 14}};  ///< the same and the data
