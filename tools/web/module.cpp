@@ -34,11 +34,13 @@ template <class Function> const char* answer_to(std::size_t size, Function funct
     }
 }
 
-/// How frames of a request are read: by a table of RA 3.3.
+/// How frames of a request are read.
 jausdump::object_table table_of(const json& request) {
     const json& frames = request.at("frames");
-    return {.table = frames.at("table").get<std::string>() == "seed" ? jausdump::translation::seed
-                                                                     : jausdump::translation::self_contained,
+    const auto name = frames.at("table").get<std::string>();
+    return {.table = name == "seed"  ? jausdump::translation::seed
+                     : name == "sae" ? jausdump::translation::sae
+                                     : jausdump::translation::self_contained,
             .index_base = frames.at("base").get<std::uint16_t>()};
 }
 

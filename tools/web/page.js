@@ -646,8 +646,15 @@ let shown = null;
 
 const spaced = hex => octets_of(hex).join(" ");
 let ra_table = { table: "seed", base: 6900 }; // the table of RA 3.3 that was chosen last
+const usual_frames = "seed/6900";
+/** The table by which EtherCAT frames of the input are read: nothing in a frame tells it. */
+function read_frames_by(wanted) {
+    const frames = find("#frames");
+    if ([...frames.options].some(one => one.value === wanted)) frames.value = wanted;
+}
 function table_request() {
-    return { table: find("#table").value || "seed", base: Number(find("#base").value || 6900), frames: ra_table };
+    const [table, base] = find("#frames").value.split("/");
+    return { table: find("#table").value || "seed", base: Number(find("#base").value || 6900), frames: { table, base: Number(base) } };
 }
 /** What to paste for a message: that of SAE is behind the version of a datagram. */
 function pasted(message) {
@@ -780,6 +787,7 @@ function keep_state() {
     if (!from_capture && selected > 0) state.set("message", selected);
     if (message && !find("#way").hidden && (find("#table").value !== "seed" && find("#table").value !== "sae")) state.set("table", find("#table").value);
     if (message && !find("#way").hidden && find("#base").selectedIndex > 0) state.set("base", find("#base").value);
+    if (find("#frames").value !== usual_frames) state.set("frames", find("#frames").value);
     if (find("#tab-fields").getAttribute("aria-selected") === "true") state.set("view", "fields");
     if (marked !== null && shown) state.set("field", shown.parts[marked].fields[0]?.path ?? "");
     const link = state.toString();
@@ -795,6 +803,8 @@ function restore() {
     const table = state.get("table"), base = state.get("base");
     if (table && [...find("#table").options].some(one => one.value === table)) find("#table").value = table;
     fill_bases(base ?? "");
+    read_frames_by(usual_frames);
+    read_frames_by(state.get("frames") ?? `${table ?? find("#table").value}/${base ?? find("#base").value}`);
     read_text(text, { select: Number(state.get("message") ?? 0) });
     if (base && find("#base").value !== base) { // of SAE, whose table is there only now
         fill_bases(base);
@@ -890,8 +900,15 @@ function start() {
     find("#form").addEventListener("input", () => soon(read_form));
     find("#form").addEventListener("change", () => soon(read_form));
     find("#form").addEventListener("submit", event => event.preventDefault());
-    find("#table").addEventListener("change", () => { fill_bases(); reshow(); });
-    find("#base").addEventListener("change", event => { fill_bases(event.target.value); reshow(); });
+    const choose_table = base => {
+        fill_bases(base);
+        read_frames_by(`${find("#table").value}/${find("#base").value}`);
+        reshow();
+    };
+    find("#table").addEventListener("change", () => choose_table());
+    find("#base").addEventListener("change", event => choose_table(event.target.value));
+    find("#frames").append(...jauscat.catalogue.tables.map(one => made("option", { value: `${one.table}/${one.base}` }, `${table_names[one.table]}, ${base_name(one.base)}`)));
+    find("#frames").addEventListener("change", () => { if (!from_capture) read_text(find("#text").value); else say("Open the capture again to read it by this table."); });
     document.addEventListener("pointerover", event => light(part_at(event.target)));
     document.addEventListener("focusin", event => light(part_at(event.target)));
     document.addEventListener("focusout", () => light(null));
