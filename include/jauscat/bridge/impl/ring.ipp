@@ -992,9 +992,7 @@ JAUSCAT_FUNCTION void ring::watch_cycles(time_point now, jaus::message_sink out)
                                   works_in(each, seen.al);
             if (is_cyclic ? seen.condition == running : is_there)
                 start_process_data(each, now, out);
-            else if (has_lost_station(each))
-                give_up_settling(each, now, out); // what answers to its address later may be another slave
-            else if (now >= each.settling_until)
+            else if (has_lost_station(each) || now >= each.settling_until) // later another slave may have its address
                 give_up_settling(each, now, out);
             continue;
         }
