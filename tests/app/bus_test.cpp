@@ -392,6 +392,17 @@ TEST_CASE("a cable between two slaves that is pulled loses those behind it") {
     REQUIRE(support::until(b.context, [&] { return b.lost.size() == 2; }));
     CHECK_FALSE(std::get<0>(b.read<std::uint32_t>(b.bus->slave(first), 0x2000, 0)));
     CHECK(std::get<0>(b.read<std::uint32_t>(b.bus->slave({.position = 2}), 0x2000, 0)) == bus_errc::slave_lost);
+    // A frame that has passed no slave is no sign of life of one.
+    const auto counted = b.outcome<ethercat::error_counters>(
+        [&](auto done) { b.bus->slave({.position = 2}).async_error_counters(done); });
+    CHECK(std::get<0>(counted) == bus_errc::slave_lost);
+    CHECK(b.found.empty());
+    const auto statuses = b.bus->statuses();
+    REQUIRE(statuses.size() == 3);
+    CHECK(statuses[0].state == ethercat::al_state::pre_op);
+    CHECK(statuses[0].problem.empty());
+    CHECK_FALSE(statuses[2].state);
+    CHECK_FALSE(statuses[2].problem.empty());
     b.ring.cut_behind(3);
     REQUIRE(support::until(b.context, [&] { return b.found.size() == 2; }));
 }

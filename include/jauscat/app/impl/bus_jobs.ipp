@@ -496,7 +496,11 @@ template <class Make, class Take, class... Results> class slave_job final : publ
         return master.start(job).has_value();
     }
     void end(bus_state& bus, ethercat::master& master) override {
-        const auto outcome = master.result<job_type>();
+        auto outcome = master.result<job_type>();
+        if constexpr (std::is_same_v<job_type, ethercat::exchange_datagram>)
+            if (outcome && *outcome != 1) // no slave, or several, have this station address
+                outcome = ethercat::master_error{
+                    .code = ethercat::master_errc::working_counter, .station = station_, .working_counter = *outcome};
         auto error = outcome ? error_code{} : error_of(outcome.error());
         if (auto* const slave = bus.at(station_)) {
             bus.note_outcome(*slave, error);
@@ -777,10 +781,10 @@ JAUSCAT_DECL void bus_state::error_counters(const slave_choice& which, operation
         [=](const bus_slave& slave) {
             return ethercat::exchange_datagram{ethercat::command::fprd, slave.info.station, registers.address, read};
         },
-        [read](std::uint16_t answers, auto& to) {
+        [read](std::uint16_t, auto& to) {
             ethercat::error_counters counted{};
-            const bool is_of_one = answers == 1 && wire::decode(counted, read);
-            to.complete(is_of_one ? error_code{} : bus_errc::slave_lost, counted);
+            static_cast<void>(wire::decode(counted, read)); // of its size
+            to.complete({}, counted);
         });
 }
 JAUSCAT_DECL void bus_state::change(const slave_choice& which, ethercat::al_state goal, operation_ptr<> done) {

@@ -389,7 +389,10 @@ JAUSCAT_DECL std::vector<slave_status> bus_state::statuses() const {
         found->is_in_service = front.up();
         found->is_at_rest =
             std::ranges::none_of(front.components(), [](const auto* unit) { return unit->stops().stop_is_pending(); });
-        if (front.up()) found->state = found->wanted;
+        if (const auto* const record = ring_->master().find(front.station()); front.up() && record != nullptr) {
+            const auto state = ring_->process_data().status(*record).al.state;
+            if (ethercat::is_known(state)) found->state = state;
+        }
         const auto& why = ring_->bring_up_error(front);
         if (!front.up() && found->problem.empty() && why != ethercat::master_error{})
             found->problem = std::string{ethercat::describe(why)};
