@@ -40,20 +40,15 @@ namespace detail {
 template <outside_values Outside, message T>
 [[gnu::always_inline]] constexpr result<std::span<std::byte>, errc> encode(const T& value,
                                                                            std::span<std::byte> out) noexcept {
-    constexpr bool checks = Outside == outside_values::refused && layout_of<T>::checks_values;
-    out_cursor end{out.data(), errc::ok};
-    if constexpr (never_too_long<T>) {
+    if constexpr (never_too_long<T>)
         if (out.size() < max_size<T> && (fixed_message<T> || out.size() < encoded_size(value))) return errc::no_space;
-        if constexpr (checks) {
-            if (const errc error = check_values(value); error != errc::ok) return error;
-        }
+    if constexpr (Outside == outside_values::refused && layout_of<T>::checks_values)
+        if (const errc error = check_values(value); error != errc::ok) return error;
+    out_cursor end{out.data(), errc::ok};
+    if constexpr (never_too_long<T>)
         end = put_message(value, out.data());
-    } else {
-        if constexpr (checks) {
-            if (const errc error = check_values(value); error != errc::ok) return error;
-        }
+    else
         end = put_if_it_fits(value, out.data(), out.size());
-    }
     if (end.error != errc::ok) return end.error;
     return std::span<std::byte>{out.data(), end.at};
 }
