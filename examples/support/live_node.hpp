@@ -134,7 +134,7 @@ inline jauscat::net::live_bus live_bus_of(std::string name, const jauscat::bus_s
                                 .frames_lost = counts.lost};
     if (counts.clocks) {
         const auto& clocks = *counts.clocks;
-        made.clock = {.reference = jauscat::text::hex_number(clocks.reference, 4).substr(2) + "h",
+        made.clock = {.reference = jauscat::text::hex_word(clocks.reference),
                       .offset_ns = std::chrono::nanoseconds{clocks.error}.count(),
                       .is_in_step = clocks.is_locked};
     }

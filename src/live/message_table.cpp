@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <cstring>
 #include <utility>
 
@@ -20,11 +19,6 @@ std::string id_text(std::uint64_t id, bool is_sae) {
     const auto octet = [&](unsigned shift) { return std::to_string(id >> shift & 255U); };
     if (is_sae) return std::to_string(id >> 16U & 0xFFFFU) + '.' + octet(8) + '.' + octet(0);
     return octet(24) + '.' + octet(16) + '.' + octet(8) + '.' + octet(0);
-}
-std::string code_text(std::uint16_t code) {
-    std::array<char, 8> text{};
-    std::snprintf(text.data(), text.size(), "%04Xh", static_cast<unsigned>(code));
-    return text.data();
 }
 double rounded(double value, double parts) { return std::round(value * parts) / parts; }
 
@@ -90,7 +84,7 @@ void message_table::decode(const key& of, row& one) const {
     const auto* const type = list != nullptr ? list->find(of.code) : nullptr;
     json made{{"generation", of.is_sae ? "sae" : "ra"},
               {"way", way_names[std::min<std::size_t>(of.way, way_names.size() - 1)]},
-              {"code", code_text(of.code)},
+              {"code", text::hex_word(of.code)},
               {"name", type != nullptr ? std::string{type->name()} : std::string{}},
               {"from", id_text(of.from, of.is_sae)},
               {"to", id_text(of.to, of.is_sae)},

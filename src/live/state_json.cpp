@@ -1,10 +1,10 @@
 #include "state_json.hpp"
 
+#include <jauscat/text/hex.hpp>
 #include <jauscat/text/jaus.hpp>
 
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 namespace jauscat::net::live {
@@ -13,14 +13,8 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-std::string station_text(std::uint16_t station) {
-    std::array<char, 8> text{};
-    std::snprintf(text.data(), text.size(), "%04Xh", static_cast<unsigned>(station));
-    return text.data();
-}
-
 json to_json(const live_slave& of) {
-    json made{{"position", of.position}, {"name", of.name},     {"station", station_text(of.station)},
+    json made{{"position", of.position}, {"name", of.name},     {"station", text::hex_word(of.station)},
               {"state", of.state},       {"wanted", of.wanted}, {"al_status", of.al_status}};
     if (of.errors)
         made["errors"] = {{"invalid_frames", of.errors->invalid_frames},

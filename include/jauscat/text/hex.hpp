@@ -28,6 +28,9 @@ namespace jauscat::text {
     return "0x" + text;
 }
 
+/// `1AF4h`: four digits, as the standards write codes, indices and addresses.
+[[nodiscard]] inline std::string hex_word(std::uint16_t value) { return hex_number(value, 4).substr(2) + "h"; }
+
 /// Where bytes stand in a dump: at least four digits.
 [[nodiscard]] inline std::string hex_offset(std::size_t offset) {
     std::string text;
