@@ -10,6 +10,7 @@ using dump_test::from_hex;
 using dump_test::json;
 using dump_test::run;
 using dump_test::scratch;
+using dump_test::status;
 using dump_test::two_bytes;
 using dump_test::udp_packet;
 using dump_test::write_capture;
@@ -18,8 +19,6 @@ namespace {
 
 const std::string recorded = support::test_data("jaus_ra.pcap");
 const std::string prefix = "4a41555330312e30";
-// Report Component Status from 1.1.33.1, bare and with the prefix.
-const std::string status = "0602 0240 01200101 01210101 0500 0700 0100000000";
 
 /// A packet of Report Image from 1.1.37.1.
 std::string image_packet(const std::string& flag_and_size, const std::string& number, const std::string& body) {

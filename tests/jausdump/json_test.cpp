@@ -5,6 +5,7 @@
 using dump_test::json;
 using dump_test::object_of;
 using dump_test::run;
+using dump_test::wrench;
 
 namespace {
 
@@ -38,9 +39,6 @@ json in_snake_case(const json& value) {
     }
     return made;
 }
-
-// Set Wrench Effort, 50 % along x and 12.5 % resistance along x, from 1.1.32.1 to 2.2.33.1, sequence 34.
-const std::string wrench = "0602 0504 01210202 01200101 0500 2200 4100 ff3f 20";
 
 } // namespace
 

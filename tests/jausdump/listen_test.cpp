@@ -16,6 +16,7 @@ namespace {
 
 using boost::asio::ip::udp;
 using dump_test::from_hex;
+using dump_test::status;
 
 /// jausdump, listening at a port that the system chose.
 class listening_program {
@@ -58,9 +59,9 @@ class listening_program {
     /// The exit code.
     int end(int signal) {
         ::kill(pid_, signal);
-        int status = 0;
-        ::waitpid(std::exchange(pid_, -1), &status, 0);
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        int ended = 0;
+        ::waitpid(std::exchange(pid_, -1), &ended, 0);
+        return WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
     }
     [[nodiscard]] std::string output() const { return dump_test::content(out_); }
 
@@ -84,7 +85,6 @@ class listening_program {
     udp::socket socket_{context_, udp::v4()};
 };
 
-const std::string status = "0602 0240 01200101 01210101 0500 0700 0100000000";
 const std::string prefix = "4a41555330312e30";
 
 } // namespace

@@ -92,4 +92,10 @@ inline std::string ethernet_frame(const std::string& packet) { return "020000000
 inline constexpr std::uint32_t link_null = 0, link_ethernet = 1, link_raw = 101, link_cooked = 113, link_cooked_2 = 276,
                                link_user0 = 147, link_rtac_serial = 250;
 
+// Messages in hex. Report Component Status from 1.1.33.1; Set Wrench Effort, 50 % along x and 12.5 % resistance along
+// x, from 1.1.32.1 to 2.2.33.1, sequence 34; RequestControl of SAE JAUS in a datagram.
+inline const std::string status = "0602 0240 01200101 01210101 0500 0700 0100000000";
+inline const std::string wrench = "0602 0504 01210202 01200101 0500 2200 4100 ff3f 20";
+inline const std::string control = "02 00 1100 01 06050400 03020100 0d0023 0700";
+
 } // namespace dump_test

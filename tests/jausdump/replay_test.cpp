@@ -6,19 +6,20 @@
 #include <boost/asio/ip/udp.hpp>
 
 using boost::asio::ip::udp;
+using dump_test::control;
 using dump_test::ethernet_frame;
 using dump_test::from_hex;
 using dump_test::json;
 using dump_test::run;
 using dump_test::scratch;
+using dump_test::status;
 using dump_test::udp_packet;
+using dump_test::wrench;
 using dump_test::write_capture;
 
 namespace {
 
-const std::string status = "0602 0240 01200101 01210101 0500 0700 0100000000";
-const std::string prefixed = "4a41555330312e30 0602 0504 01210202 01200101 0500 2200 4100 ff3f 20";
-const std::string control = "02 00 1100 01 06050400 03020100 0d0023 0700";
+const std::string prefixed = "4a41555330312e30 " + wrench;
 
 /// A socket that has received all of a replay before it is read.
 class receiver {

@@ -9,20 +9,20 @@
 #include <sys/ioctl.h>
 #include <termios.h>
 
+using dump_test::control;
 using dump_test::ethernet_frame;
 using dump_test::from_hex;
 using dump_test::json;
 using dump_test::run;
 using dump_test::scratch;
+using dump_test::status;
 using dump_test::udp_packet;
+using dump_test::wrench;
 using dump_test::write_capture;
 
 namespace {
 
-const std::string status = "0602 0240 01200101 01210101 0500 0700 0100000000";
 const std::string other_status = "0602 0240 01200101 01210101 0500 0800 0100000002";
-const std::string wrench = "0602 0504 01210202 01200101 0500 2200 4100 ff3f 20";
-const std::string control = "02 00 1100 01 06050400 03020100 0d0023 0700";
 
 struct table_capture {
     scratch files{};
