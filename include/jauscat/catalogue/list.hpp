@@ -1,5 +1,6 @@
 // Messages that are found by command code or name at run time.
 #pragma once
+#include <jauscat/base/stable_sort.hpp>
 #include <jauscat/catalogue/any_message.hpp>
 
 #include <algorithm>
@@ -48,7 +49,7 @@ class list {
 
   private:
     void sort() {
-        std::ranges::stable_sort(entries_, {}, &entry::command_code);
+        jauscat::stable_sort(entries_, &entry::command_code);
         const auto same = [](const entry& a, const entry& b) { return a.command_code() == b.command_code(); };
         entries_.erase(std::unique(entries_.begin(), entries_.end(), same), entries_.end());
     }

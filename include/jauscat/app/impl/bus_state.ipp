@@ -3,6 +3,7 @@
 #include <jauscat/app/detail/explained.hpp>
 #include <jauscat/app/impl/bus_jobs.hpp>
 #include <jauscat/app/impl/named_slaves.ipp>
+#include <jauscat/base/stable_sort.hpp>
 #include <jauscat/ethercat/code_texts.hpp>
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/master_error_text.hpp>
@@ -533,7 +534,7 @@ JAUSCAT_DECL bool bus_state::is_watched(const bus_slave& slave) const noexcept {
     return !slave.info.is_served && is_trusted(slave);
 }
 JAUSCAT_DECL void bus_state::sort_slaves() {
-    std::ranges::stable_sort(slaves_, {}, [](const bus_slave& each) { return each.info.position; });
+    jauscat::stable_sort(slaves_, [](const bus_slave& each) { return each.info.position; });
 }
 JAUSCAT_DECL bus_slave* bus_state::slave_of(const named_slave& which) noexcept {
     const auto found = std::ranges::find(slaves_, &which, &bus_slave::named);

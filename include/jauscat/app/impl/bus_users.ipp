@@ -1,6 +1,7 @@
 // What has slaves of a bus served in its cycles: bridges, and slaves in operation.
 #pragma once
 #include <jauscat/app/impl/bus_jobs.hpp>
+#include <jauscat/base/stable_sort.hpp>
 #include <jauscat/ethercat/code_texts.hpp>
 
 #include <boost/asio/post.hpp>
@@ -397,7 +398,7 @@ JAUSCAT_DECL std::vector<slave_status> bus_state::statuses() const {
         if (!front.up() && found->problem.empty() && why != ethercat::master_error{})
             found->problem = std::string{ethercat::describe(why)};
     }
-    std::ranges::stable_sort(all, {}, [](const auto& one) { return one.info.position; });
+    jauscat::stable_sort(all, [](const auto& one) { return one.info.position; });
     return all;
 }
 JAUSCAT_DECL void bus_state::keep_cycling() noexcept {

@@ -1,6 +1,7 @@
 // The text of a configuration file: elements with values in attributes or children, and errors with their line.
 #pragma once
 
+#include <jauscat/base/stable_sort.hpp>
 #include <jauscat/net/config_error.hpp>
 #include <jauscat/net/detail/quoted.hpp>
 
@@ -77,7 +78,7 @@ class config_source {
     /// Throws `config_error` where something was noted: that of the first line, with the text of all, a line each.
     void finish() const {
         if (problems_.empty()) return;
-        std::ranges::stable_sort(problems_, {}, &config_error::line);
+        jauscat::stable_sort(problems_, &config_error::line);
         std::string text;
         for (const auto& one : problems_) text.append(text.empty() ? "" : "\n").append(one.what());
         const auto& first = problems_.front();

@@ -84,9 +84,9 @@ class config_reader {
         source_.attempt([&] {
             if (const auto child = source_.only_child(node, "multicast")) made.multicast = multicast(child, made, {});
         });
-        source_.attempt([&, &ip = ip, &port = port] { // clang 14 captures no structured binding
+        source_.attempt([&, &host = ip, &at_port = port] { // clang 14 captures no structured binding
             if (const auto child = source_.only_child(node, "sae"))
-                made.sae = config_sae(source_, child, ip, port,
+                made.sae = config_sae(source_, child, host, at_port,
                                       [&](pugi::xml_node group) { return multicast(group, made, judp_multicast()); });
         });
         if (made.sae) check_sae_of(made, node);
