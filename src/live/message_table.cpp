@@ -23,11 +23,14 @@ std::string id_text(std::uint64_t id, bool is_sae) {
 double rounded(double value, double parts) { return std::round(value * parts) / parts; }
 
 constexpr std::array way_names{"received", "sent", "seen"};
+constexpr std::array acknowledgement_names{"", "request", "nak", "ack"};
+constexpr std::uint8_t request = 1;
 
 } // namespace
 
 void message_table::add(const net::detail::live_sample& sample) {
-    const key of{sample.from, sample.to, sample.code, sample.way, sample.is_sae};
+    const auto acknowledgement = sample.acknowledgement == request ? std::uint8_t{} : sample.acknowledgement;
+    const key of{sample.from, sample.to, sample.code, sample.way, acknowledgement, sample.is_sae};
     auto found = rows_.find(of);
     if (found == rows_.end()) {
         if (rows_.size() == live_server::max_rows) {
@@ -84,13 +87,14 @@ void message_table::decode(const key& of, row& one) const {
     const auto* const type = list != nullptr ? list->find(of.code) : nullptr;
     json made{{"generation", of.is_sae ? "sae" : "ra"},
               {"way", way_names[std::min<std::size_t>(of.way, way_names.size() - 1)]},
-              {"code", text::hex_word(of.code)},
+              {"code", of.is_sae && of.code == 0 ? std::string{} : text::hex_word(of.code)},
               {"name", type != nullptr ? std::string{type->name()} : std::string{}},
               {"from", id_text(of.from, of.is_sae)},
               {"to", id_text(of.to, of.is_sae)},
               {"at", rounded(std::chrono::duration<double>{sample.at - begin_}.count(), 1000)},
               {"size", sample.size},
               {"hex", text::detail::plain_hex(std::span{sample.bytes}.first(sample.kept))}};
+    if (sample.acknowledgement != 0) made["acknowledgement"] = acknowledgement_names[sample.acknowledgement % 4];
     if (sample.kept < sample.size) made["cut"] = true;
     if (type != nullptr && sample.has_body) {
         const auto body = std::span{sample.bytes}.subspan(sample.body_begin, sample.body_end - sample.body_begin);

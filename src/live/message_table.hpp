@@ -12,8 +12,8 @@
 
 namespace jauscat::net::live {
 
-/// Rows by generation, way, source, destination and code. Only the newest message of a row is decoded, and only when an
-/// update is due.
+/// Rows by generation, way, source, destination and code, and whether it is an acknowledgement. Only the newest message
+/// of a row is decoded, and only when an update is due.
 class message_table {
   public:
     /// `begin`: time 0 of what is shown.
@@ -40,6 +40,7 @@ class message_table {
         std::uint64_t from{}, to{};
         std::uint16_t code{};
         std::uint8_t way{};
+        std::uint8_t acknowledgement{}; ///< 0 of other messages, also where one is wanted
         bool is_sae{};
         friend auto operator<=>(const key&, const key&) = default; // NOLINT: <=> has a 0
     };

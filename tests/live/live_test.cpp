@@ -163,15 +163,13 @@ TEST_CASE("a viewer gets the newest message of each kind") {
     CHECK(row["units"] == json{{"propulsive_linear_effort_x", "%"}});
     CHECK(row["rate"].get<double>() > 0);
 
-    // Another way is another row, an acknowledgement has no fields, and a wrong body has an error.
-    auto acknowledgement = head_of(0x0405, driver, ocu);
-    acknowledgement.ack_nak = jaus::ack_nak::ack;
-    v.feed.message(live_way::sent, acknowledgement, {});
+    CHECK(!row.contains("acknowledgement"));
+
+    // Another way is another row, and a wrong body has an error.
+    v.feed.message(live_way::sent, head_of(0x0405), effort_of(1));
     row = viewer.row("set_wrench_effort");
     while (row["way"] != "sent") row = viewer.row("set_wrench_effort"); // the rate of the other changes
     CHECK(row["id"] == 2);
-    CHECK(!row.contains("fields"));
-    CHECK(!row.contains("error"));
     v.feed.message(live_way::received, head_of(0x040A), std::vector<std::byte>(1));
     row = viewer.row("set_travel_speed");
     CHECK(row["error"].get<std::string>().find("byte") != std::string::npos);
@@ -190,6 +188,57 @@ TEST_CASE("a viewer gets the newest message of each kind") {
     REQUIRE(all["messages"].size() == 4);
     CHECK(all["messages"][0]["count"] == 2);
     CHECK(all["messages"][0].contains("units"));
+}
+
+TEST_CASE("acknowledgements are rows of their own") {
+    view v;
+    web_client viewer{v.port()};
+    REQUIRE(viewer.watch().status == 101);
+    viewer.next();
+    const auto next = [&](std::size_t id) { // the rates of the others change
+        auto row = viewer.row("set_wrench_effort");
+        while (row["id"] != id) row = viewer.row("set_wrench_effort");
+        return row;
+    };
+    auto head = head_of(0x0405);
+    v.feed.message(live_way::received, head, effort_of(1));
+    CHECK(!next(1).contains("acknowledgement"));
+    // A message that wants one is in the row of those that do not.
+    head.ack_nak = jaus::ack_nak::request;
+    v.feed.message(live_way::received, head, effort_of(1));
+    auto row = next(1);
+    while (row["count"] != 2) row = next(1);
+    CHECK(row["acknowledgement"] == "request");
+    CHECK(row["fields"].size() == 1);
+
+    // From the same source: both ends may send the message.
+    head.ack_nak = jaus::ack_nak::ack;
+    v.feed.message(live_way::received, head, {});
+    row = next(2);
+    CHECK(row["acknowledgement"] == "ack");
+    CHECK(row["size"] == 16);
+    CHECK(!row.contains("fields"));
+    CHECK(!row.contains("error"));
+    head.ack_nak = jaus::ack_nak::nak;
+    v.feed.message(live_way::received, head, {});
+    row = next(3);
+    CHECK(row["acknowledgement"] == "nak");
+    CHECK(row["count"] == 1);
+    CHECK(!row.contains("fields"));
+    CHECK(!row.contains("error"));
+
+    // That of SAE JAUS has no message ID.
+    const std::vector<std::byte> bytes(14);
+    v.feed.message(live_way::seen, net::live_sae_message{.from = 1U << 16U | 1U << 8U | 32U,
+                                                         .to = 2U << 16U | 2U << 8U | 33U,
+                                                         .message = bytes,
+                                                         .payload_begin = 12,
+                                                         .acknowledgement = jaus::ack_nak::ack});
+    row = viewer.row("");
+    CHECK(row["generation"] == "sae");
+    CHECK(row["code"] == "");
+    CHECK(row["acknowledgement"] == "ack");
+    CHECK(!row.contains("error"));
 }
 
 TEST_CASE("enumerations have their names, and members of lists their paths") {

@@ -310,6 +310,30 @@ def memory_of_plots_and_faults_is_bounded(p):
 
 
 @test
+def an_acknowledgement_is_shown_as_one(p):
+    watch(p)
+    p.robot.command(propulsive_linear_effort_x=50)
+    choose(p, "acknowledgement of set_wrench_effort", "2.2.33.1", "1.1.32.1")
+    assert p.text("#live-detail .facts").endswith(" · ACK"), p.text("#live-detail .facts")
+    assert "no fields" in p.text("#live-detail .note"), p.text("#live-detail .note")
+    assert not p.find("#live-fields").is_displayed()
+    choose(p, "set_wrench_effort", "1.1.32.1", "2.2.33.1")
+    shows(p, "propulsive_linear_effort_x", 50)
+    assert p.text("#live-detail .facts").endswith(" · wants ACK"), p.text("#live-detail .facts")
+    assert not p.find("#live-detail .note").is_displayed()
+    # A refusal, and an acknowledgement of SAE JAUS, which names no message.
+    p.find("#live-connect").click()
+    p.run("""
+        const row = {way: 'seen', count: 1, at: 1, size: 16, hex: ''};
+        live.take({messages: [{...row, id: 900001, generation: 'ra', code: '0405h', name: 'set_wrench_effort', acknowledgement: 'nak', from: '9.9.9.9', to: '8.8.8.8'},
+                              {...row, id: 900002, generation: 'sae', code: '', name: '', acknowledgement: 'ack', from: '300.2.33', to: '1.1.32'}]});""")
+    choose(p, "negative acknowledgement of set_wrench_effort", "9.9.9.9")
+    assert p.text("#live-detail .facts").endswith(" · NAK"), p.text("#live-detail .facts")
+    assert "refused" in p.text("#live-detail .note"), p.text("#live-detail .note")
+    choose(p, "acknowledgement", "300.2.33")
+
+
+@test
 def a_bus_has_its_slaves_and_a_dead_arm_is_a_fault(p):
     watch(p)
     p.until(lambda: any(row[3] == "op" for row in rows(p, "#live-buses .slaves")), "no slave in OP")

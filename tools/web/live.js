@@ -40,8 +40,14 @@ const live = (() => {
     let chosen = ""; // key of the message whose fields are shown
     let changed = new Set(), is_due = false;
 
-    const key_of = row => [row.generation, row.way, row.code, row.from, row.to].join(" ");
-    const name_of = row => row.name || "unknown message";
+    const is_acknowledgement = row => row.acknowledgement === "ack" || row.acknowledgement === "nak";
+    const key_of = row => [row.generation, row.way, row.code, row.from, row.to, is_acknowledgement(row) ? row.acknowledgement : ""].join(" ").trim();
+    function name_of(row) {
+        if (!is_acknowledgement(row)) return row.name || "unknown message";
+        const kind = row.acknowledgement === "nak" ? "negative acknowledgement" : "acknowledgement";
+        return row.code ? `${kind} of ${row.name || "unknown message"}` : kind; // those of SAE JAUS name no message
+    }
+    const acknowledgement_texts = { request: "wants ACK", ack: "ACK", nak: "NAK" }; // as jausdump has them
 
     function due(...parts) {
         parts.forEach(part => changed.add(part));
@@ -206,7 +212,7 @@ const live = (() => {
             detail_of = made_for;
             place.replaceChildren(
                 made("div", { class: "title" }, made("h3", {}, name_of(row)), made("code", {}, row.code ?? "")),
-                made("p", { class: "facts" }), made("p", { class: "wrong", hidden: true }),
+                made("p", { class: "facts" }), made("p", { class: "note", hidden: true }), made("p", { class: "wrong", hidden: true }),
                 made("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Fields" }, table_of("Fields; a number's name plots it", ["Field", "#Value", "Unit"])),
                 made("p", { class: "live-hex", "aria-label": "Bytes" }),
                 made("p", {}, made("button", { type: "button", class: "small", id: "live-bytes", onclick: show_bytes }, "Show bytes by field")));
@@ -220,7 +226,10 @@ const live = (() => {
             find("table", place).parentElement.hidden = names.length === 0;
             if (!has_module) find("#live-bytes").parentElement.remove();
         }
-        set_text(find(".facts", place), [row.generation === "sae" ? "SAE" : "RA 3.3", row.way, `${row.from} → ${row.to}`, plural(row.size ?? 0, "byte"), `number ${row.count ?? 0}`].join(" · "));
+        set_text(find(".facts", place), [row.generation === "sae" ? "SAE" : "RA 3.3", row.way, `${row.from} → ${row.to}`, plural(row.size ?? 0, "byte"), `number ${row.count ?? 0}`, acknowledgement_texts[row.acknowledgement] ?? ""].filter(Boolean).join(" · "));
+        const note = find(".note", place);
+        note.hidden = !is_acknowledgement(row) || names.length > 0;
+        set_text(note, row.acknowledgement === "nak" ? "The receiver has refused the message. A negative acknowledgement has no fields and gives no reason." : "The receiver has got the message. An acknowledgement has no fields.");
         const wrong = find(".wrong", place);
         wrong.hidden = !row.error;
         set_text(wrong, row.error ?? "");

@@ -24,11 +24,12 @@ enum class live_way : std::uint8_t {
 
 /// A message of SAE JAUS. A JAUS ID of SAE: the number `subsystem << 16 | node << 8 | component`.
 struct live_sae_message {
-    std::uint16_t message_id{};
+    std::uint16_t message_id{}; ///< 0 of an acknowledgement, which has none
     std::uint32_t from{}, to{};
     std::span<const std::byte> message{};        ///< header, payload, and what follows
     std::size_t payload_begin{}, payload_size{}; ///< in `message`
     bool is_whole{true};                         ///< not a packet of several
+    jaus::ack_nak acknowledgement{};             ///< has the same values in SAE JAUS
 };
 
 /// The messages of one thread, such as that of a node, for a live_server. A message is copied only while a viewer is
@@ -87,6 +88,7 @@ class live_feed {
         to->to = packed(head.destination);
         to->code = head.command_code;
         to->is_sae = false;
+        to->acknowledgement = static_cast<std::uint8_t>(head.ack_nak);
         to->size = jaus::header_size + body.size();
         const auto kept = std::min(body.size(), detail::live_sample::capacity - jaus::header_size);
         to->has_body = head.data_flag == jaus::data_flag::only && kept == body.size() &&
@@ -103,6 +105,7 @@ class live_feed {
         to->to = one.to;
         to->code = one.message_id;
         to->is_sae = true;
+        to->acknowledgement = static_cast<std::uint8_t>(one.acknowledgement);
         to->has_body = one.is_whole;
         to->size = one.message.size();
         const auto kept = std::min(one.message.size(), detail::live_sample::capacity);

@@ -20,6 +20,7 @@ struct live_sample {
     std::uint16_t code{};                           ///< command code or message ID
     std::uint16_t body_begin{}, body_end{}, kept{}; ///< offsets in `bytes`; bytes that are kept
     std::uint8_t way{};                             ///< of live_way
+    std::uint8_t acknowledgement{}; ///< of the header: 1 one is wanted, 2 negative, 3 positive; the same in SAE JAUS
     bool is_sae{};
     bool has_body{};                         ///< it decodes as the message `code`: no acknowledgement, no part
     std::array<std::byte, capacity> bytes{}; ///< header and body
