@@ -57,9 +57,14 @@ class front {
     bool run(std::chrono::milliseconds wait, bool may_come_later) {
         if (stop_requested) return true; // by a signal before this took them
         wait_.expires_after(wait);
-        wait_.async_wait([this, may_come_later](auto error) {
+        wait_.async_wait([this, wait, may_come_later](auto error) {
             if (error || is_ready_ || bridge_->is_up()) return; // it is or was there
-            if (!may_come_later) throw std::runtime_error{"no slave to work with: " + log_.failure()};
+            if (!may_come_later)
+                throw std::runtime_error{
+                    "no slave to work with: " +
+                    (log_.failure().empty()
+                         ? "it is not up after " + std::to_string(wait.count()) + " ms; --wait gives it more time"
+                         : log_.failure())};
             tell_ready();
         });
         node_.context().run();
@@ -131,6 +136,6 @@ int main(int argc, char** argv) {
         if (std::ranges::any_of(places, [](const auto& at) { return is_raw_link(at.link); })) give_up_privileges();
         view.start();
         view.tell();
-        return run_all(fronts, std::chrono::milliseconds{values["wait"].as<unsigned>()});
+        return run_all(fronts, wait_of(places, values));
     });
 }

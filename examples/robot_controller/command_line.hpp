@@ -64,7 +64,7 @@ inline boost::program_options::options_description controller_options() {
         ("joint-velocity", po::value<double>()->default_value(5), "of a joint at most, in radians per second")
         ("joint-acceleration", po::value<double>()->default_value(20), "of a joint, in radians per second squared")
         ("stop-within", po::value<unsigned>(), "milliseconds within which the slave is at rest after its controller, the link, its state or this program is lost; default: 500, with --cycle 100")
-        ("wait", po::value<unsigned>()->default_value(5000), "milliseconds to wait for the slave at the start")
+        ("wait", po::value<unsigned>(), "milliseconds to wait for the slave at the start; default: 5000, with SYNC signals 20000")
         ("open", "accept messages from all senders, for tests")
         ("frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");
     // clang-format on
@@ -152,6 +152,17 @@ inline std::unique_ptr<jauscat::bridging::process_part> joints_of(std::size_t co
                      .axis = {.max_velocity = velocity, .acceleration = acceleration, .deceleration = acceleration},
                      .scale = {.increments_per_radian = increments, .max_velocity = velocity}};
     return jauscat::joint_drives(joints);
+}
+
+/// How long the slave may take at the start. One with SYNC signals is in OP once the cycles follow the reference clock.
+inline std::chrono::milliseconds wait_of(const std::vector<place>& places, const values_map& values) {
+    if (values.count("wait") != 0) return std::chrono::milliseconds{values["wait"].as<unsigned>()};
+    const auto has_sync = [](const auto& slave) { return slave.sync || !slave.sync_mode.empty(); };
+    const bool is_synchronized = std::ranges::any_of(places, [&](const place& at) {
+        const auto& ethercat = at.config.me().ethercat;
+        return ethercat && std::ranges::any_of(ethercat->slaves, has_sync);
+    });
+    return std::chrono::milliseconds{is_synchronized ? 20'000 : 5'000};
 }
 
 inline jauscat::node_options node_options_of(const place& at, const values_map& values) {

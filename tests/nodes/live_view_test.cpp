@@ -2,6 +2,9 @@
 #include "live/web_client.hpp"
 #include "nodes/robot.hpp"
 
+#include <cstdint>
+#include <cstdlib>
+
 using namespace nodes;
 using live_test::web_client;
 
@@ -58,6 +61,37 @@ TEST_CASE("robot_controller and ocu show their messages, components and slaves")
     REQUIRE(unit.end(SIGTERM) == 0);
     // A viewer keeps no program from its end.
     r.stop();
+}
+
+TEST_CASE("robot_controller shows the distributed clock that its cycles follow") {
+    if (!std::filesystem::exists(bin() / "jauscat-esi")) return;
+    robot r;
+    const auto esi = r.folder / "arm.xml";
+    REQUIRE(r.start_command({(bin() / "jauscat-esi").string(), "--output", esi}).wait() == 0);
+    auto text = content(esi);
+    text.insert(text.find("<Eeprom"),
+                "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>");
+    write_file(esi, text);
+    text = content(r.config);
+    text.replace(text.find("2.0.0.0"), 7, "2.2.0.0"); // a system with slaves names its node
+    text.insert(text.rfind("</system>"), "<ethercat interface=\"udp:127.0.0.1:" + std::to_string(r.slave_port) +
+                                             "\"><slave name=\"arm\" position=\"0\"><sync/></slave></ethercat>");
+    write_file(r.config, text);
+    r.start_bus(r.link + words{"--esi", esi});
+    auto& controller = r.start_node("robot_controller", r.master_options + robot::cyclic() + words{"--web", "0"});
+
+    web_client viewer{web_port(controller)};
+    REQUIRE(viewer.watch().status == 101);
+    const auto before = find(viewer, "buses", [](const json& bus) { return bus.contains("clock"); });
+    CHECK(before["clock"]["in_step"] == false);
+    CHECK(before["state"] != "op");
+    const auto bus = find(viewer, "buses", [](const json& one) {
+        return one["state"] == "op" && one.contains("clock") && one["clock"]["in_step"] == true;
+    });
+    CHECK(bus["clock"]["reference"] == bus["slaves"][0]["station"]);
+    CHECK(std::abs(bus["clock"]["offset_ns"].get<std::int64_t>()) < 1'000'000);
+    CHECK(bus["slaves"][0]["name"] == "arm");
+    REQUIRE(controller.end(SIGTERM) == 0);
 }
 
 TEST_CASE("the controller's faults are in its live view") {
