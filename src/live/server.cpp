@@ -21,10 +21,10 @@
 #include <deque>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <list>
 #include <mutex>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <sys/resource.h>
 #include <thread>
@@ -213,9 +213,10 @@ class live_server::worker {
         page_ = live::page();
         if (options_.page_file.empty()) return;
         std::ifstream file{options_.page_file, std::ios::binary};
-        page_.assign(std::istreambuf_iterator<char>{file}, {});
-        if (!file || page_.empty())
+        std::ostringstream text;
+        if (!(text << file.rdbuf())) // a folder, too, where a read throws
             throw std::invalid_argument{"the page of the live view cannot be read: " + options_.page_file};
+        page_ = text.str();
     }
     void open() {
         error_code error;

@@ -133,6 +133,8 @@ TEST_CASE("what cannot be served is refused at once") {
     CHECK_THROWS_AS(net::live_server{{.token = "short"}}, std::invalid_argument);
     CHECK_THROWS_AS(net::live_server{{.token = "with spaces in it"}}, std::invalid_argument);
     CHECK_THROWS_AS(net::live_server{{.page_file = "/no/such/file"}}, std::invalid_argument);
+    CHECK_THROWS_AS(net::live_server{{.page_file = "/"}}, std::invalid_argument);         // a folder
+    CHECK_THROWS_AS(net::live_server{{.page_file = "/dev/null"}}, std::invalid_argument); // empty
 }
 
 TEST_CASE("a viewer gets the newest message of each kind") {
