@@ -59,12 +59,10 @@ class front {
         wait_.expires_after(wait);
         wait_.async_wait([this, wait, may_come_later](auto error) {
             if (error || is_ready_ || bridge_->is_up()) return; // it is or was there
-            if (!may_come_later)
-                throw std::runtime_error{
-                    "no slave to work with: " +
-                    (log_.failure().empty()
-                         ? "it is not up after " + std::to_string(wait.count()) + " ms; --wait gives it more time"
-                         : log_.failure())};
+            const auto why = !log_.failure().empty()
+                                 ? log_.failure()
+                                 : "none was up after " + std::to_string(wait.count()) + " ms; --wait gives them more";
+            if (!may_come_later) throw std::runtime_error{"no slave to work with: " + why};
             tell_ready();
         });
         node_.context().run();

@@ -170,7 +170,9 @@ JAUSCAT_DECL void served_slave::retry() {
         const auto& info = slave->info;
         return found(info.position, {info.vendor, info.product, info.revision, info.serial});
     }
-    if (const auto problem = error.message(); problem != last_problem_) {
+    const std::string problem = // the bridge starts the bus itself
+        error == bus_errc::not_started ? "no slave of the bus has answered yet" : error.message();
+    if (problem != last_problem_) {
         last_problem_ = problem;
         log(name() + " is not found: " + problem);
     }
