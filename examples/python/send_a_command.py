@@ -20,5 +20,5 @@ try:
         report = operator.ask(options.driver, "query_wrench_effort", {"presence_vector": 1})
     print(f"in force: {report['propulsive_linear_effort_x']:.3f} %")
     # [send end]
-except jauscat.Error as error:
+except (ValueError, jauscat.Error) as error: # ValueError: no JAUS ID
     sys.exit(f"send_a_command.py: {error}")
