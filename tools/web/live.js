@@ -42,12 +42,13 @@ const live = (() => {
 
     const is_acknowledgement = row => row.acknowledgement === "ack" || row.acknowledgement === "nak";
     const key_of = row => [row.generation, row.way, row.code, row.from, row.to, is_acknowledgement(row) ? row.acknowledgement : ""].join(" ").trim();
-    function name_of(row) {
-        if (!is_acknowledgement(row)) return row.name || "unknown message";
-        const kind = row.acknowledgement === "nak" ? "negative acknowledgement" : "acknowledgement";
-        return row.code ? `${kind} of ${row.name || "unknown message"}` : kind; // those of SAE JAUS name no message
-    }
     const acknowledgement_texts = { request: "wants ACK", ack: "ACK", nak: "NAK" }; // as jausdump has them
+    /** `kind`: what an acknowledgement is called. Those of SAE JAUS name no message. */
+    function name_of(row, kind = acknowledgement_texts[row.acknowledgement]) {
+        if (!is_acknowledgement(row)) return row.name || "unknown message";
+        return row.code ? `${kind} of ${row.name || "unknown message"}` : kind;
+    }
+    const long_name_of = row => name_of(row, row.acknowledgement === "nak" ? "negative acknowledgement" : "acknowledgement");
 
     function due(...parts) {
         parts.forEach(part => changed.add(part));
@@ -141,7 +142,7 @@ const live = (() => {
     function draw_messages() {
         const words = find("#live-filter").value.toLowerCase().split(/\s+/).filter(Boolean);
         const fits = row => {
-            const text = `${name_of(row)} ${row.code} ${row.from} ${row.to} ${row.way} ${row.generation}`.toLowerCase();
+            const text = `${name_of(row)} ${long_name_of(row)} ${row.code} ${row.from} ${row.to} ${row.way} ${row.generation}`.toLowerCase();
             return words.every(word => text.includes(word));
         };
         const all_rows = [...messages.values()].filter(fits);
@@ -211,7 +212,7 @@ const live = (() => {
         if (made_for !== detail_of) {
             detail_of = made_for;
             place.replaceChildren(
-                made("div", { class: "title" }, made("h3", {}, name_of(row)), made("code", {}, row.code ?? "")),
+                made("div", { class: "title" }, made("h3", {}, long_name_of(row)), made("code", {}, row.code ?? "")),
                 made("p", { class: "facts" }), made("p", { class: "note", hidden: true }), made("p", { class: "wrong", hidden: true }),
                 made("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Fields" }, table_of("Fields; a number's name plots it", ["Field", "#Value", "Unit"])),
                 made("p", { class: "live-hex", "aria-label": "Bytes" }),
