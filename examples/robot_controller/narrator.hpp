@@ -59,7 +59,10 @@ class narrator {
         options.log = [this, has_names = !options.slaves.empty()](std::string_view line) {
             if (!has_names || line.find(": slave ") == line.npos) return; // a fault, which comes here, too
             if (line.find(" is refused: ") != line.npos) failure_ = line;
-            say_.warn(events::bus_log, {{"line", line}}, std::string{line});
+            if (line.ends_with(" is there") || line.ends_with(" answers again"))
+                say_(events::bus_log, {{"line", line}}, std::string{line});
+            else
+                say_.warn(events::bus_log, {{"line", line}}, std::string{line});
         };
         options.on_fault = [this](jauscat::link_fault what, std::string_view line) {
             switch (what) {

@@ -36,8 +36,6 @@ namespace jauscat::net {
 
 namespace live {
 
-namespace {
-
 namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace http = beast::http;
@@ -54,9 +52,10 @@ constexpr std::size_t max_header = 8192; ///< bytes of a request
 constexpr std::size_t max_input = 1024;  ///< bytes of a text of a viewer
 constexpr std::size_t max_connections = 32;
 constexpr int updates_to_close = 20;
+constexpr seconds old_state{2}; ///< a node gives it ten times a second
 constexpr int default_send_buffer = 256 * 1024;
 
-std::string dumped(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
+static std::string dumped(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
 struct fault_line {
     std::uint64_t number{}; ///< from 1
@@ -141,8 +140,6 @@ class viewer : public std::enable_shared_from_this<viewer> {
     std::function<void()> ended_{};
 };
 
-} // namespace
-
 } // namespace live
 
 using namespace live;
@@ -176,6 +173,7 @@ class live_server::worker {
     void add(live_feed& feed) {
         feeds_.push_back(&feed);
         states_.emplace_back();
+        state_times_.emplace_back();
     }
     void start() {
         accept();
@@ -342,6 +340,8 @@ class live_server::worker {
     void begin_updates() {
         if (std::exchange(is_updating_, true)) return;
         for (auto* const feed : feeds_) feed->set_watched(true);
+        for (auto& time : state_times_)
+            if (time) time = now(); // nobody has asked for it meanwhile
         table_.resume();
         reads_ = 0;
         next_read_ = std::chrono::steady_clock::now();
@@ -396,6 +396,7 @@ class live_server::worker {
         for (std::size_t i = 0; i != feeds_.size(); ++i)
             if (auto state = feeds_[i]->take_state()) {
                 states_[i] = *std::move(state);
+                state_times_[i] = now();
                 is_new = true;
             }
         if (!is_new) return;
@@ -425,6 +426,8 @@ class live_server::worker {
                              {"version", options_.version},
                              {"name", options_.name},
                              {"period", std::chrono::duration<double>{read_interval * reads_of_update}.count()}};
+        if (const auto age = state_age(); age > old_state)
+            head["state_age"] = std::chrono::duration_cast<seconds>(age).count();
         if (auto faults = faults_since(one.seen_fault); !faults.empty()) head["faults"] = std::move(faults);
         std::string text = dumped(head);
         text.pop_back();
@@ -437,6 +440,13 @@ class live_server::worker {
         if (const auto rows = table_.rows_since(seen); !rows.empty()) append("messages", rows);
         one.seen = table_.update();
         return text += '}';
+    }
+    /// Of the oldest state that is shown: the thread of its node may hang.
+    [[nodiscard]] duration state_age() const {
+        duration oldest{};
+        for (const auto& time : state_times_)
+            if (time) oldest = std::max(oldest, now() - *time);
+        return oldest;
     }
     json faults_since(std::uint64_t& seen) {
         json made = json::array();
@@ -460,6 +470,7 @@ class live_server::worker {
     std::uint16_t port_{};
     std::vector<live_feed*> feeds_{};
     std::vector<live_state> states_{}; ///< the last one of each feed
+    std::vector<std::optional<time_point>> state_times_{};
     message_table table_{options_.messages, options_.sae_messages, begin_};
     part systems_{}, components_{}, buses_{};
 

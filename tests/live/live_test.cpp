@@ -339,6 +339,11 @@ TEST_CASE("state is sent when it has changed, and faults once") {
     const auto next = viewer.next([](const json& one) { return one.contains("faults"); });
     CHECK(!next.contains("systems"));
     CHECK(!next.contains("buses"));
+    // The node's thread does nothing, and then works on.
+    const auto old = viewer.next([](const json& one) { return one.contains("state_age"); });
+    CHECK(old["state_age"] >= 2);
+    v.feed.set_state(state);
+    viewer.next([](const json& one) { return !one.contains("state_age"); });
 }
 
 TEST_CASE("the last 200 faults are kept") {

@@ -414,6 +414,20 @@ def a_lost_connection_is_said_and_comes_back(p):
 
 
 @test
+def a_suspended_program_is_not_shown_as_live(p):
+    watch(p)
+    controller = p.robot.controller().process
+    controller.send_signal(signal.SIGSTOP)
+    try:
+        p.until(lambda: p.run("return document.querySelector('#live').dataset.state") == "lost", "its silence is not noticed")
+        assert "sent nothing" in p.text("#live-status"), p.text("#live-status")
+    finally:
+        controller.send_signal(signal.SIGCONT)
+    connected(p)
+    assert "Connected" in p.text("#live-status"), p.text("#live-status")
+
+
+@test
 def a_page_from_disk_connects_by_the_link(p):
     p.robot.all()
     p.open("view=live")

@@ -9,7 +9,7 @@ const live = (() => {
     const most_series = 12; // fields that are plotted at once
     const plotted = 60; // seconds
     const samples_kept = 1280; // of a field: 60 seconds, at most 20 a second
-    const retry_after = 1000; // milliseconds
+    const retry_after = 1000, silent_after = 3000; // milliseconds
 
     const root = find("#live");
     const tell = text => { find("#live-status").textContent = text; };
@@ -32,7 +32,7 @@ const live = (() => {
 
     let program = null; // of "hello"
     let at = 0, at_received = 0; // seconds since the program began, and by the clock of the page
-    let lost = 0, skipped = 0;
+    let lost = 0, skipped = 0, state_age = 0;
     let messages = new Map(); // by id
     let systems = [], components = [], buses = [], faults = [];
     let series = []; // that are plotted
@@ -79,6 +79,7 @@ const live = (() => {
         at_received = Date.now();
         lost = frame.lost ?? lost;
         skipped = frame.skipped ?? skipped;
+        state_age = frame.state_age ?? 0;
         for (const row of frame.messages ?? []) take_message(row);
         if (frame.systems) systems = frame.systems;
         if (frame.components) components = frame.components;
@@ -624,6 +625,7 @@ const live = (() => {
         if (!program) return;
         find("#live-shown").hidden = false;
         const facts = [`${program.program ?? "program"} ${program.version ?? ""}`.trim(), program.name ? `system ${program.name}` : "", `running for ${seconds_text(at)}`];
+        if (state_age) facts.push(`state of nodes and buses ${seconds_text(state_age)} old: their thread does nothing`);
         if (lost) facts.push(`${plural(lost, "message")} not shown: faster than they were read`);
         if (skipped) facts.push(`${plural(skipped, "update")} left out: this page was too slow`);
         set_text(find("#live-program"), facts.filter(Boolean).join(" · "));
@@ -634,7 +636,7 @@ const live = (() => {
     // ---- The connection
 
     let wanted = null; // {address, token} to which the page is connected, or tries to
-    let socket = null, timer = 0, was_connected = false;
+    let socket = null, timer = 0, silence = 0, was_connected = false;
 
     function set_state(state) {
         root.dataset.state = state;
@@ -670,10 +672,11 @@ const live = (() => {
             let frame = null;
             try { frame = JSON.parse(event.data); } catch { return tell("The program has sent what is no JSON."); }
             if (frame === null || typeof frame !== "object") return;
-            if (frame.hello) {
-                was_connected = true;
+            if (frame.hello) was_connected = true;
+            heard(own);
+            if (frame.hello || root.dataset.state !== "connected") {
                 set_state("connected");
-                tell(`Connected to ${frame.hello.program ?? "a program"} at ${wanted.address}.`);
+                tell(`Connected to ${(frame.hello ?? program)?.program ?? "a program"} at ${wanted.address}.`);
             }
             take(frame);
         });
@@ -684,6 +687,15 @@ const live = (() => {
             set_state(program ? "lost" : "none");
             timer = setTimeout(attempt, retry_after);
         });
+    }
+    /** A connection may stay although the program is suspended or the cable is out: what is shown is old then. */
+    function heard(own) {
+        clearTimeout(silence);
+        silence = setTimeout(() => {
+            if (socket !== own || root.dataset.state !== "connected") return;
+            tell(`${wanted.address} has sent nothing for ${silent_after / 1000} s. What is shown is the last state.`);
+            set_state("lost");
+        }, silent_after);
     }
     /** An address, or the link that a program prints. */
     function read_address() {
