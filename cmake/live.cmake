@@ -11,7 +11,6 @@ function(jauscat_add_live sources page catalogue)
     file(GLOB files ${sources}/live/*.cpp)
     add_library(jauscat_live STATIC EXCLUDE_FROM_ALL ${files} ${made})
     add_library(jauscat::live ALIAS jauscat_live)
-    set_target_properties(jauscat_live PROPERTIES UNITY_BUILD OFF) # the one with Beast takes half a minute
     target_compile_options(jauscat_live PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
     target_link_libraries(jauscat_live PUBLIC ${catalogue} Threads::Threads PRIVATE nlohmann_json::nlohmann_json)
 endfunction()

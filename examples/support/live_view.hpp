@@ -1,4 +1,5 @@
-// The options --web, --web-token and --web-page: the live view of a program.
+// The options --web, --web-token and --web-page: the live view of a program. With JAUSCAT_BUILD_LIVE=OFF a program has
+// none.
 #pragma once
 #include "support/program.hpp"
 #include "support/say.hpp"
@@ -16,6 +17,7 @@
 
 namespace example {
 
+#ifdef JAUSCAT_HAS_LIVE_VIEW
 inline void add_web_options(boost::program_options::options_description& options) {
     namespace po = boost::program_options;
     // clang-format off
@@ -101,5 +103,18 @@ class live_view {
     std::deque<jauscat::net::live_feed> feeds_{};
     std::optional<jauscat::net::live_server> server_{};
 };
+#else
+inline void add_web_options(boost::program_options::options_description&) {}
+
+class live_view {
+  public:
+    live_view(const std::string&, const boost::program_options::variables_map&, const std::string&,
+              const jauscat::catalogue::list&, const jauscat::catalogue::list* = nullptr) {}
+    [[nodiscard]] static jauscat::net::live_feed* make_feed() { return nullptr; }
+    static void start() {}
+    [[nodiscard]] static std::string link() { return {}; }
+    static void tell() {}
+};
+#endif
 
 } // namespace example
