@@ -138,12 +138,6 @@ constexpr void sort(Range&& range, Less is_less = {}, Projection project = {}) {
         return std::invoke(is_less, std::invoke(project, a), std::invoke(project, b));
     });
 }
-template <class Range, class Less = std::less<>, class Projection = identity>
-void stable_sort(Range&& range, Less is_less = {}, Projection project = {}) {
-    std::stable_sort(std::begin(range), std::end(range), [&](const auto& a, const auto& b) {
-        return std::invoke(is_less, std::invoke(project, a), std::invoke(project, b));
-    });
-}
 template <class Range, class Value, class Less = std::less<>, class Projection = identity>
 constexpr auto lower_bound(Range&& range, const Value& value, Less is_less = {}, Projection project = {}) {
     return std::lower_bound(std::begin(range), std::end(range), value, [&](const auto& one, const auto& wanted) {
