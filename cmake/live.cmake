@@ -8,6 +8,8 @@ function(jauscat_add_live sources page catalogue)
         DEPENDS ${page}/page.html ${page}/page.css ${page}/page.js ${page}/live.js
             ${JAUSCAT_LIVE_PAGE_SCRIPT}
         VERBATIM)
+    # Alone: a unity source would not wait until it is made.
+    set_source_files_properties(${made} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     file(GLOB files ${sources}/live/*.cpp)
     add_library(jauscat_live STATIC EXCLUDE_FROM_ALL ${files} ${made})
     add_library(jauscat::live ALIAS jauscat_live)
