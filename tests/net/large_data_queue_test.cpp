@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <random>
+#include <string>
 
 namespace {
 
@@ -216,6 +217,27 @@ TEST_CASE("a large data set waits for none to another node, and all share the pa
     CHECK(t.outcomes == std::vector{jaus::delivered::acknowledged});
     CHECK(t.queue.size() == 10);
     for (std::size_t i = 4; i < sent.size(); ++i) REQUIRE(sent[i] - sent[i - 4] >= 1ms);
+}
+
+TEST_CASE("large data sets to several nodes are sent in turn, those to one node one after the other") {
+    const auto order = [](std::uint8_t other_subsystem) {
+        large_data_queue queue{std::size_t{1} << 20U, {}};
+        auto plain = head;
+        plain.ack_nak = jaus::ack_nak::none;
+        REQUIRE(queue.push(plain, bytes(10 * jaus::max_body_size)) == jaus::errc::ok);
+        plain.destination = {1, 33, 1, other_subsystem};
+        REQUIRE(queue.push(plain, bytes(10 * jaus::max_body_size)) == jaus::errc::ok);
+        std::string made;
+        for (jauscat::time_point now{}; queue.size() != 0; now += 1ms)
+            queue.on_time(now,
+                          [&](std::span<const std::byte> packet) {
+                              made += jaus::split(packet).header.destination == screen ? 'a' : 'b';
+                          },
+                          {});
+        return made;
+    };
+    CHECK(order(screen.subsystem) == "aaaaaaaaaabbbbbbbbbb");
+    CHECK(order(3) == "aaaabbbbaaaabbbbaabb");
 }
 
 TEST_CASE("a large report that waits is replaced by the next one, and a command is not") {
