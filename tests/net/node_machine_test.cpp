@@ -63,6 +63,15 @@ TEST_CASE("a node sends periodic events of its component's status at their rate"
     CHECK(events >= 19);
 }
 
+TEST_CASE("a message whose header does not encode is not sent") {
+    simulated_pair p;
+    const auto sent =
+        p.ocu.node.send({.priority = 16, .command_code = 0xD111, .destination = p.robot.self, .source = p.ocu.self},
+                        bytes(3), p.network.now);
+    REQUIRE_FALSE(sent);
+    CHECK(sent.error().code == net::errc::invalid_message);
+}
+
 TEST_CASE("an event on demand has the time at which it was requested") {
     simulated_pair p;
     auto& now = p.network.now;
