@@ -81,6 +81,13 @@ TEST_CASE("objects and subobjects that are not listed are aborted before the app
     CHECK(d.behind.writes == 2);
 }
 
+TEST_CASE("the listed objects follow each other by their indices") {
+    const dictionary<> d;
+    CHECK(d.objects.next_index(0) == 6933);
+    CHECK(d.objects.next_index(6933) == 7155);
+    CHECK(d.objects.next_index(7155) == 0); // none
+}
+
 TEST_CASE("command objects are write-only, report objects readable and writable") {
     dictionary<> d;
     CHECK(d.read(6933, 26, 10) == abort_code::write_only);

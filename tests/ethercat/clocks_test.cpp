@@ -200,6 +200,15 @@ TEST_CASE("SYNC0 of clocks of 32 and of 64 bits start together, at a multiple of
     CHECK(bench.spread() < 100);
 }
 
+TEST_CASE("the period of the outputs is that of SYNC1 only if SYNC1 is on") {
+    const auto period = [](std::uint16_t assign_activate) {
+        return sync_settings{.assign_activate = assign_activate, .sync0_cycle = 250'000, .sync1_delay = 600'000}
+            .period();
+    };
+    CHECK(period(0x0300) == 250'000);
+    CHECK(period(0x0700) == 750'000);
+}
+
 TEST_CASE("a start time that would be over before SYNC is on is put off") {
     const auto slaves = test::line_of(30, 9);
     clock_bench bench{slaves};
@@ -242,6 +251,12 @@ TEST_CASE("jobs for clocks say why they cannot") {
     const auto unsettled = bench.set_up({.drift_frames = 5, .limit = 0, .repeats = 2});
     CHECK(unsettled.error().code == master_errc::clock_unsettled);
     CHECK(unsettled.error().nanoseconds > 0);
+    REQUIRE(bench.set_up());
+    for (auto& each : bench.clocks) each.sync = {.assign_activate = 0x0300, .sync0_cycle = 250'000};
+    bench.gap = 1s; // more than the time that is left until the start, even when it is doubled
+    CHECK(bench.run(start_sync{.slaves = bench.clocks, .system_time = bench.system_time()}).error() ==
+          master_error{.code = master_errc::sync_late});
+    bench.gap = 20us;
     bench.clocks[2].station = 0x2000;
     CHECK(bench.set_up().error().code == master_errc::working_counter);
 }

@@ -415,6 +415,7 @@ TEST_CASE("missing, swapped, doubled and foreign slaves are named") {
     CHECK(is({found, missing, missing, missing}));
     CHECK(match({device(10), device(20), device(31, 0, 7), device(40, 99), device(10)}).ends_with(". . X . X"));
     CHECK(is({found, found, foreign, found}));
+    CHECK(describe(found) == "the slave is there");
 }
 
 TEST_CASE("start-up objects are written in their order, those of one transition") {

@@ -143,6 +143,12 @@ TEST_CASE("a station address of an earlier master at another slave is cleared") 
     CHECK(b.master.slaves().size() == 3);
 }
 
+TEST_CASE("a station address that another slave keeps, although it is cleared, is reported") {
+    bench b{motors, lamps};
+    b.link.on_way_back = [&](bytes&) { write_register(b.at(1), command::apwr, 0, 0x0010, "0100"); };
+    CHECK(b.up(0, 1).error() == master_error{.code = master_errc::duplicate_station, .working_counter = 2});
+}
+
 TEST_CASE("a slave with an unexpected identity is refused before it is configured") {
     bench b{motors};
     CHECK(b.run(bring_up{0, 1, {.vendor = 1, .product = 0x11, .serial = 7}}));
@@ -308,6 +314,24 @@ TEST_CASE("a slave that does not keep its watchdog settings does not reach OP") 
     spoil(without, 0x0420, "0000");
     REQUIRE(without.run(configure{1}));
     REQUIRE(without.run(change_state{1, al_state::op}));
+}
+
+TEST_CASE("a slave whose link fails while it is configured can be configured when the link is back") {
+    int replies = 0;
+    for (bool is_cut = true; is_cut; ++replies) {
+        bench b{motors};
+        REQUIRE(b.up(0, 1));
+        b.link.on_way_back = [left = replies](bytes& frame) mutable {
+            if (left-- <= 0) frame.clear();
+        };
+        const auto result = b.run(configure{1});
+        is_cut = !result;
+        INFO("after " << replies << " replies");
+        if (is_cut) CHECK(result.error().code == master_errc::no_reply);
+        b.link.on_way_back = {};
+        CHECK(b.run(configure{1}));
+    }
+    CHECK(replies > 20);
 }
 
 TEST_CASE("writing the outputs triggers the watchdog even if the SII says otherwise") {

@@ -117,6 +117,10 @@ TEST_CASE("a segmented upload beyond the buffer is read to its end, and an endle
     CHECK(b.upload(small) == too_long(28));
     CHECK(b.mail.size() == 4);
 
+    // 65,536 bytes are still read, and end here after 28; one byte more is too long to be read.
+    b.before_read = instead_of(std::byte{0x41}, "41 2669 01 00000100");
+    CHECK(b.upload(small).error() ==
+          master_error{.code = master_errc::size_mismatch, .bytes = 65536, .found_bytes = 28});
     b.before_read = instead_of(std::byte{0x41}, "41 2669 01 01000100");
     CHECK(b.upload(small) == too_long(65537));
     CHECK(b.mail.size() == 3);

@@ -556,6 +556,20 @@ TEST_CASE("a deferred message is acknowledged when it is finished, and its repea
     REQUIRE(a.handed_on == 3);
 }
 
+TEST_CASE("of two senders whose pending messages have one number, the one that is named is finished") {
+    arm a;
+    REQUIRE(a.hear(0x0405, 5, 1, 0s, message_outcome::deferred) == received::handed_on);
+    REQUIRE(a.hear(0x0405, 5, 1, 0s, message_outcome::deferred, other) == received::handed_on);
+    const jaus::header head{.ack_nak = ack_nak::request,
+                            .command_code = 0x0405,
+                            .destination = arm_address,
+                            .source = other,
+                            .sequence_number = 5};
+    REQUIRE(a.commands.finish(head, true, instant{0s}, a.sent.sink()));
+    CHECK(a.hear(0x0405, 5, 1, 0s, message_outcome::handled, other) == received::repeated);
+    CHECK(a.hear(0x0405, 5, 1) == received::pending);
+}
+
 TEST_CASE("pending messages keep their places, so there are at most as many as places") {
     arm a;
     for (std::uint16_t i = 0; i != 4; ++i)

@@ -391,6 +391,9 @@ TEST_CASE("only control that is requested or held is lost with its component") {
     expect({state::asking, state::held});
     held.on_lost({255, 255, self.node, self.subsystem});
     expect({state::lost});
+    answered(control_accepted);
+    answered(control_not_accepted); // another one has taken it, and the message of that was lost
+    expect({state::asking, state::held, state::lost});
     held.ask(100, instant{0s}, sent.sink());
     held.release(sent.sink());
     held.on_lost(self);

@@ -993,6 +993,16 @@ TEST_CASE("any message of a sender without control counts as its life") {
     REQUIRE(a.hooks.changes == std::vector{jaus::control_change::lost});
 }
 
+TEST_CASE("a sender of many commands is watched once") {
+    arm a;
+    for (const auto now : {0ms, 100ms, 200ms}) REQUIRE(a.hear(push, ocu_address, ack_nak::none, 0, now) == handled);
+    REQUIRE(a.hear(jaus::query_wrench_effort{}, ocu_address, ack_nak::none, 0, 400ms) == handled);
+    a.core.on_time(instant{899ms}, a.sent.sink());
+    CHECK(a.hooks.changes.empty());
+    a.core.on_time(instant{900ms}, a.sent.sink());
+    CHECK(a.hooks.changes == std::vector{jaus::control_change::lost});
+}
+
 TEST_CASE("every message that moves something is watched, also a private one and a large one, and no other is") {
     struct sent_command {
         std::uint16_t code;

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <random>
+#include <string>
 
 namespace {
 
@@ -184,6 +185,18 @@ TEST_CASE("a packet equal to that of the previous large data set is sent twice, 
     REQUIRE(t.now < instant{3 * (10ms + 40ms)});
 }
 
+TEST_CASE("a large data set equal to that of another sender does not wait, and each packet is sent once") {
+    transfer t{conditions{.longest = 3ms}};
+    auto other = head;
+    other.source.component = 41;
+    REQUIRE(t.queue.push(head, image(20'000, 1)) == jaus::errc::ok);
+    REQUIRE(t.queue.push(other, image(20'000, 1)) == jaus::errc::ok);
+    t.run(20s);
+    CHECK(t.arrived.size() == 2);
+    CHECK(t.packets == 2 * 5);
+    CHECK(t.now < instant{100ms});
+}
+
 TEST_CASE("large data sets of one source and code do not overtake each other, also where one is in its pause") {
     transfer t{conditions{}};
     const bytes same = image(20'000, 1), other = image(20'000, 2);
@@ -218,6 +231,27 @@ TEST_CASE("a large data set waits for none to another node, and all share the pa
     for (std::size_t i = 4; i < sent.size(); ++i) REQUIRE(sent[i] - sent[i - 4] >= 1ms);
 }
 
+TEST_CASE("large data sets to several nodes are sent in turn, those to one node one after the other") {
+    const auto order = [](std::uint8_t other_subsystem) {
+        large_data_queue queue{std::size_t{1} << 20U, {}};
+        auto plain = head;
+        plain.ack_nak = jaus::ack_nak::none;
+        REQUIRE(queue.push(plain, bytes(10 * jaus::max_body_size)) == jaus::errc::ok);
+        plain.destination = {1, 33, 1, other_subsystem};
+        REQUIRE(queue.push(plain, bytes(10 * jaus::max_body_size)) == jaus::errc::ok);
+        std::string made;
+        for (jauscat::time_point now{}; queue.size() != 0; now += 1ms)
+            queue.on_time(now,
+                          [&](std::span<const std::byte> packet) {
+                              made += jaus::split(packet).header.destination == screen ? 'a' : 'b';
+                          },
+                          {});
+        return made;
+    };
+    CHECK(order(screen.subsystem) == "aaaaaaaaaabbbbbbbbbb");
+    CHECK(order(3) == "aaaabbbbaaaabbbbaabb");
+}
+
 TEST_CASE("a large report that waits is replaced by the next one, and a command is not") {
     for (const std::uint16_t code : std::initializer_list<std::uint16_t>{0x3FFF, 0x4000, 0x5FFF, 0x6000, 0xD111}) {
         CAPTURE(code);
@@ -238,6 +272,14 @@ TEST_CASE("a large report that waits is replaced by the next one, and a command 
                           {});
         }
         CHECK(queue.size() == (is_report ? 1 : 9));
+        if (is_report) {
+            auto awaited = plain;
+            awaited.ack_nak = jaus::ack_nak::request;
+            large_data_queue waiting{std::size_t{1} << 20U, {}};
+            REQUIRE(waiting.push(plain, bytes(9000)) == jaus::errc::ok);
+            REQUIRE(waiting.push(awaited, bytes(9000)) == jaus::errc::ok);
+            CHECK(waiting.size() == 2); // one without acknowledgement is replaced by its like only
+        }
         now += 501ms;
         queue.on_time(now, [&](std::span<const std::byte> packet) { firsts.push_back(jaus::split(packet).body[0]); },
                       {});
@@ -411,6 +453,43 @@ TEST_CASE("a large data set that the component refused is refused again if the N
     late.data_flag = first;
     components.hand_on(0, late, {}, {.now = now}, [](std::span<const std::byte>) { FAIL("answered"); });
     REQUIRE(core.count(jaus::component_outcome::unmatched_acknowledgement) == 1);
+}
+
+TEST_CASE("one node does not take all places of the large data sets that a receiver remembers") {
+    jaus::component_memory<> memory{};
+    jaus::component core{screen, memory, {}, {}};
+    core.change(jaus::state_event::initialized);
+    unsigned taken = 0;
+    auto application = [&](const jaus::header&, std::span<const std::byte>) {
+        ++taken;
+        return jaus::message_outcome::handled;
+    };
+    const jauscat::net::jaus_node_options options{};
+    jauscat::net::limited_log log{{}};
+    jauscat::net::detail::node_components components{options, log};
+    components.add({core, application});
+    components.start(1U << 20U, nullptr);
+    const auto is_taken = [&](const jaus::address& source, std::uint16_t code, jaus::ack_nak wish) {
+        const auto before = taken;
+        unsigned answers = 0;
+        for (const auto flag : {jaus::data_flag::first, jaus::data_flag::last}) {
+            const jaus::header packet{.ack_nak = wish,
+                                      .command_code = code,
+                                      .destination = screen,
+                                      .source = source,
+                                      .data_flag = flag,
+                                      .sequence_number = flag == jaus::data_flag::last};
+            components.hand_on(0, packet, std::array<std::byte, 1>{}, {.now = instant{1s}},
+                               [&](std::span<const std::byte>) { ++answers; });
+        }
+        CHECK(answers == (wish == jaus::ack_nak::none ? 0 : 1 + taken - before));
+        return taken != before;
+    };
+    std::uint16_t code = 0xD111;
+    while (code != 0xE000 && is_taken(camera, code, jaus::ack_nak::request)) ++code;
+    CHECK(code == 0xD111 + 256 * 3 / 4);
+    CHECK(is_taken(camera, 0xD110, jaus::ack_nak::none)); // is not remembered
+    CHECK(is_taken({1, 40, 1, 3}, code, jaus::ack_nak::request));
 }
 
 TEST_CASE("an unlimited timeout never expires and requests no timer") {

@@ -138,6 +138,14 @@ TEST_CASE("an equal large data set arrives again") {
     REQUIRE((s.receiver->large == std::vector(4, body_of(5, 20'000))));
 }
 
+TEST_CASE("a large data set that the memory of its receiver does not hold is refused") {
+    senders_and_receiver s{1};
+    s.send(s.all.back(), body_of(5, 2'000'000));
+    s.run_for(10s);
+    CHECK(s.all.back().large_done == std::vector{jaus::delivered::refused});
+    CHECK(s.receiver->large.empty());
+}
+
 TEST_CASE("a large data set that no component handles is ended") {
     senders_and_receiver s{1};
     s.network.detach(s.receiver->at);

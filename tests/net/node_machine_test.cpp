@@ -63,6 +63,38 @@ TEST_CASE("a node sends periodic events of its component's status at their rate"
     CHECK(events >= 19);
 }
 
+TEST_CASE("a message whose header does not encode is not sent") {
+    simulated_pair p;
+    const auto sent =
+        p.ocu.node.send({.priority = 16, .command_code = 0xD111, .destination = p.robot.self, .source = p.ocu.self},
+                        bytes(3), p.network.now);
+    REQUIRE_FALSE(sent);
+    CHECK(sent.error().code == net::errc::invalid_message);
+}
+
+TEST_CASE("an event on demand has the time at which it was requested") {
+    simulated_pair p;
+    auto& now = p.network.now;
+    std::optional<jaus::report_time> reported;
+    p.ocu.heard = [&](const jaus::header& head, std::span<const std::byte> body) {
+        jaus::event event{};
+        if (head.command_code != jaus::command_code_of<jaus::event> || !wire::decode(event, body)) return;
+        REQUIRE(wire::decode(reported.emplace(), event.report_message_body));
+    };
+    const jaus::header head{.destination = p.robot.self, .source = p.ocu.self};
+    REQUIRE(p.ocu.node.send(head, jaus::set_time{.time_stamp = jaus::time_stamp{.hours = 12}}, now));
+    p.network.run(now + 1234ms);
+    REQUIRE(p.ocu.node.send(head,
+                            jaus::create_event{.message_code = jaus::command_code_of<jaus::report_time>,
+                                               .event_type = jaus::event_type::one_time_on_demand},
+                            now));
+    p.network.run(now + 1ms);
+    REQUIRE(reported);
+    REQUIRE(reported->time_stamp);
+    CHECK(reported->time_stamp->seconds == 1);
+    CHECK(reported->time_stamp->milliseconds == 234);
+}
+
 TEST_CASE("a component is taken away only while its node is stopped") {
     simulated_pair p;
     REQUIRE_THROWS_AS(p.robot.node.remove(p.robot.self), std::logic_error);

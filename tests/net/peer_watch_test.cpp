@@ -46,6 +46,26 @@ TEST_CASE("a program without a node manager detects the loss of its controller a
     REQUIRE(p.second.logged("1.1.32.1 does not answer any more"));
 }
 
+TEST_CASE("events of the core reports end with the loss of their consumer") {
+    node_in_two_programs p;
+    unsigned events = 0;
+    p.second.on_sent = [&](std::span<const std::byte> message) {
+        events += jaus::split(message).header.command_code == jaus::command_code_of<jaus::event>;
+    };
+    REQUIRE(p.ocu.node.send({.destination = p.second.self, .source = p.ocu.self},
+                            jaus::create_event{.message_code = jaus::command_code_of<jaus::report_component_status>,
+                                               .event_type = jaus::event_type::periodic,
+                                               .requested_periodic_rate = 20.0},
+                            p.network.now));
+    p.run_for(10s);
+    CHECK(events >= 190);
+    p.network.detach(p.ocu.at);
+    p.run_for(3s);
+    events = 0;
+    p.run_for(1s);
+    CHECK(events == 0);
+}
+
 TEST_CASE("a peer that only receives stays while it answers, and its answers have no side effects") {
     node_in_two_programs p;
     p.connect();

@@ -247,18 +247,15 @@ class large_data_queue {
             active_.back()->next = now;
         }
     }
-    // The packets of one beat, of the active data sets in turn. False: a handler has cleared the queue.
+    // The packets of one beat, of the active data sets in turn: the next beat begins with the one for which none were
+    // left. False: a handler has cleared the queue.
     bool send(time_point now, jaus::message_sink out, const done_handler& done) {
         const auto clears = clears_;
         unsigned left = pacing_.packets;
-        for (auto count = active_.size(); count-- != 0;) {
+        for (auto count = active_.size(); left != 0 && count-- != 0;) {
             const auto set = active_.front(); // a handler may clear the queue
             std::rotate(active_.begin(), active_.begin() + 1, active_.end());
             if (set->next > now) continue;
-            if (left == 0) {
-                set->next = now + beat;
-                continue;
-            }
             const bool is_over =
                 set->packets.empty() ? send_plain(*set, left, out) : send_awaited(*set, now, left, out);
             if (clears != clears_) return false;
