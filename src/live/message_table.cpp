@@ -24,12 +24,13 @@ double rounded(double value, double parts) { return std::round(value * parts) / 
 
 constexpr std::array way_names{"received", "sent", "seen"};
 constexpr std::array acknowledgement_names{"", "request", "nak", "ack"};
-constexpr std::uint8_t request = 1;
+constexpr std::uint8_t wants_acknowledgement = 1;
 
 } // namespace
 
 void message_table::add(const net::detail::live_sample& sample) {
-    const auto acknowledgement = sample.acknowledgement == request ? std::uint8_t{} : sample.acknowledgement;
+    const auto acknowledgement =
+        sample.acknowledgement == wants_acknowledgement ? std::uint8_t{} : sample.acknowledgement;
     const key of{sample.from, sample.to, sample.code, sample.way, acknowledgement, sample.is_sae};
     auto found = rows_.find(of);
     if (found == rows_.end()) {
