@@ -209,6 +209,11 @@ def shows(p, field, value, unit="%"):
     p.until(lambda: any(row[0] == field and abs(float(row[1]) - value) < 0.01 and row[2] == unit for row in rows(p, "#live-fields")), f"{field} is not {value}")
 
 
+def answers(port):
+    with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as one:
+        return one.connect_ex(("127.0.0.1", port)) == 0
+
+
 def points(p, field):
     return p.run("return Number(document.querySelector(`#live-panels [data-field=\"${arguments[0]}\"]`)?.dataset.points ?? 0)", field)
 
@@ -223,6 +228,42 @@ def a_served_page_begins_with_what_is_there(p):
     p.until(lambda: any(row[:2] == ["1", "a"] and row[3] == "alive" for row in rows(p, "#live-systems")), "system a is not alive")
     p.until(lambda: any(row[0] == "2.2.33.1" and row[2] == "ready" and row[3].startswith("1.1.32.1") for row in rows(p, "#live-components")), "no controller")
     assert "own" in next(row for row in rows(p, "#live-components") if row[0] == "2.2.33.1")[1]
+
+
+@test
+def components_are_known_by_their_reports(p):
+    """To jausdump, too, which has neither a node nor a configuration."""
+    [jaus_port], [web_port] = free_ports(socket.SOCK_DGRAM, 1), free_ports(socket.SOCK_STREAM, 1)
+    p.robot.stop("jausdump")
+    p.robot.running["jausdump"] = program(p.robot.bin / "jausdump", "--listen", jaus_port, "--web", web_port, "--web-page", p.robot.page)
+
+    def send(code, body):
+        """From 2.2.33.1 to 1.1.32.1, by the header of RA 3.3."""
+        header = bytes.fromhex("0602") + code.to_bytes(2, "little") + bytes([1, 32, 1, 1, 1, 33, 2, 2]) + len(body).to_bytes(2, "little") + bytes(2)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+            sender.sendto(header + body, ("127.0.0.1", jaus_port))
+
+    def component():
+        return next((row for row in rows(p, "#live-components") if row[0] == "2.2.33.1"), ["", "", "", "", ""])
+
+    def shown(*values):
+        p.until(lambda: all(value in component()[1:4] for value in values), f"not {values}")
+
+    p.until(lambda: answers(web_port), "jausdump does not listen")
+    p.driver.get("about:blank")
+    p.driver.get(f"http://127.0.0.1:{web_port}/")
+    connected(p)
+    send(0x4002, bytes([1, 0, 0, 0, 0]))                                 # Report Component Status
+    shown("ready")
+    assert component()[4].endswith("ago"), component()
+    send(0x4002, bytes([5, 0, 0, 0, 0]))
+    send(0x400D, bytes([1, 1, 32, 1, 5]))                                # Report Component Control
+    send(0x4B00, bytes([4, 0]) + (10001).to_bytes(2, "little") + b"arm") # Report Identification
+    shown("arm", "emergency", "1.1.32.1 (authority 5)")
+    send(0x400D, bytes(5))
+    shown("none")
+    p.until(lambda: component()[2].startswith("emergency, ") and component()[2].endswith(" ago"), "an old state is shown as new")
+    p.robot.stop("jausdump")
 
 
 @test

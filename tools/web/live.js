@@ -10,6 +10,7 @@ const live = (() => {
     const plotted = 60; // seconds
     const samples_kept = 1280; // of a field: 60 seconds, at most 20 a second
     const retry_after = 1000, silent_after = 3000; // milliseconds
+    const old_state = 3; // seconds
 
     const root = find("#live");
     const tell = text => { find("#live-status").textContent = text; };
@@ -36,6 +37,7 @@ const live = (() => {
     let messages = new Map(); // by id
     let systems = [], components = [], buses = [], faults = [];
     let series = []; // that are plotted
+    let senders = new Map(); // components of which messages were received, by ID
     let arms = new Map(); // by component and generation
     let chosen = ""; // key of the message whose fields are shown
     let changed = new Set(), is_due = false;
@@ -68,6 +70,7 @@ const live = (() => {
             const again = program && program.program === frame.hello.program && program.name === frame.hello.name && (frame.at ?? 0) >= at;
             program = frame.hello;
             messages = new Map();
+            senders = new Map();
             arms = new Map();
             faults = [];
             systems = components = buses = [];
@@ -83,7 +86,7 @@ const live = (() => {
         for (const row of frame.messages ?? []) take_message(row);
         if (frame.systems) systems = frame.systems;
         if (frame.components) components = frame.components;
-        if (frame.systems || frame.components) due("who");
+        if (frame.systems || frame.components || senders.size !== 0) due("who");
         if (frame.buses) buses = frame.buses, due("buses");
         if (frame.faults?.length) {
             faults = faults.concat(frame.faults).slice(-most_faults);
@@ -103,7 +106,27 @@ const live = (() => {
             one.unit = row.units[one.field] ?? one.unit;
             one.samples.push(row.at ?? at, Number(row.fields[one.field]));
         }
+        take_sender(row);
         take_joints(row);
+    }
+    /** Who sends is there. Its reports say what else is known: Report Component Status, Control and Identification, of both generations. */
+    function take_sender(row) {
+        if (row.way === "sent" || !row.from) return;
+        const one = senders.get(row.from) ?? { id: row.from };
+        one.heard_at = row.at ?? at;
+        const value = name => row.fields[Object.keys(row.fields).find(path => path === name || path.endsWith(`.${name}`))];
+        if (row.code === "4002h") {
+            const state = value("primary_status_code") ?? value("status");
+            if (state !== undefined) one.state = String(state), one.state_at = one.heard_at;
+        } else if (row.code === "400Dh" && value("subsystem_id") !== undefined) {
+            const parts = ["subsystem_id", "node_id", "component_id", "instance_id"].map(value).filter(part => part !== undefined);
+            one.controller = parts.some(Number) ? parts.join(".") : "none";
+            one.authority = parts.some(Number) ? value("authority_code") : undefined;
+        } else if (row.code === "4B00h" && value("query_type") === "component_identification") {
+            one.name = value("identification");
+        }
+        if (!senders.has(row.from) && senders.size === most_rows) senders.delete(senders.keys().next().value);
+        senders.set(row.from, one);
     }
 
     // ---- Tables: cells are changed in place, so that a selection of text stays
@@ -594,11 +617,16 @@ const live = (() => {
     function draw_who() {
         fill(find("#live-systems tbody"), systems.slice(0, most_rows).map(one => [{ text: String(one.subsystem ?? ""), class: "id" }, one.name ?? "", { text: one.address ?? "", class: "id" },
             one.alive === undefined ? "" : one.alive ? { text: "alive", class: "good" } : { text: "silent", class: "bad" }]));
-        fill(find("#live-components tbody"), components.slice(0, most_rows).map(one => [{ text: String(one.id ?? ""), class: "id" }, (one.name ?? "") + (one.own ? " (own)" : ""),
-            { text: one.state ?? "", class: { ready: "good", emergency: "bad", failure: "bad" }[one.state] ?? "" },
+        const told = one => Object.fromEntries(Object.entries(one).filter(([, value]) => value !== ""));
+        const all = components.map(one => one.own ? one : { ...senders.get(one.id), ...told(one) });
+        const listed = new Set(components.map(one => one.id));
+        for (const one of senders.values()) if (!listed.has(one.id)) all.push({ ...one, age: Math.max(0, at - one.heard_at) });
+        const reported = one => one.state_at !== undefined && at - one.state_at > old_state ? `, ${seconds_text(at - one.state_at)} ago` : "";
+        fill(find("#live-components tbody"), all.slice(0, most_rows).map(one => [{ text: String(one.id ?? ""), class: "id" }, (one.name ?? "") + (one.own ? " (own)" : ""),
+            { text: (one.state ?? "") + reported(one), class: { ready: "good", emergency: "bad", failure: "bad" }[one.state] ?? "" },
             one.controller ? { text: one.controller + (one.authority === undefined ? "" : ` (authority ${one.authority})`), class: "controller" } : one.own ? "none" : "",
             { text: one.age === undefined ? "" : one.own ? "" : `${seconds_text(one.age)} ago`, class: "number" }]));
-        for (const [id, list] of [["#live-systems", systems], ["#live-components", components]]) find(id).parentElement.hidden = list.length === 0;
+        for (const [id, list] of [["#live-systems", systems], ["#live-components", all]]) find(id).parentElement.hidden = list.length === 0;
     }
 
     const levels = { info: 0, warning: 1, bad: 2 };
