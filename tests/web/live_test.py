@@ -209,11 +209,6 @@ def shows(p, field, value, unit="%"):
     p.until(lambda: any(row[0] == field and abs(float(row[1]) - value) < 0.01 and row[2] == unit for row in rows(p, "#live-fields")), f"{field} is not {value}")
 
 
-def answers(port):
-    with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as one:
-        return one.connect_ex(("127.0.0.1", port)) == 0
-
-
 def points(p, field):
     return p.run("return Number(document.querySelector(`#live-panels [data-field=\"${arguments[0]}\"]`)?.dataset.points ?? 0)", field)
 
@@ -235,7 +230,8 @@ def components_are_known_by_their_reports(p):
     """To jausdump, too, which has neither a node nor a configuration."""
     [jaus_port], [web_port] = free_ports(socket.SOCK_DGRAM, 1), free_ports(socket.SOCK_STREAM, 1)
     p.robot.stop("jausdump")
-    p.robot.running["jausdump"] = program(p.robot.bin / "jausdump", "--listen", jaus_port, "--web", web_port, "--web-page", p.robot.page)
+    dump = p.robot.running["jausdump"] = program(p.robot.bin / "jausdump", "--listen", jaus_port, "--web", web_port, "--web-page", p.robot.page)
+    dump.wait_for_line("live view at")
 
     def send(code, body):
         """From 2.2.33.1 to 1.1.32.1, by the header of RA 3.3."""
@@ -249,7 +245,6 @@ def components_are_known_by_their_reports(p):
     def shown(*values):
         p.until(lambda: all(value in component()[1:4] for value in values), f"not {values}")
 
-    p.until(lambda: answers(web_port), "jausdump does not listen")
     p.driver.get("about:blank")
     p.driver.get(f"http://127.0.0.1:{web_port}/")
     connected(p)
@@ -262,7 +257,7 @@ def components_are_known_by_their_reports(p):
     shown("arm", "emergency", "1.1.32.1 (authority 5)")
     send(0x400D, bytes(5))
     shown("none")
-    p.until(lambda: component()[2].startswith("emergency, ") and component()[2].endswith(" ago"), "an old state is shown as new")
+    p.until(lambda: all(text.startswith(value) and text.endswith(" ago") for text, value in zip(component()[2:4], ["emergency, ", "none, "])), "an old report is shown as new")
     p.robot.stop("jausdump")
 
 

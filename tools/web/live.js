@@ -121,6 +121,7 @@ const live = (() => {
         } else if (row.code === "400Dh" && value("subsystem_id") !== undefined) {
             const parts = ["subsystem_id", "node_id", "component_id", "instance_id"].map(value).filter(part => part !== undefined);
             one.controller = parts.some(Number) ? parts.join(".") : "none";
+            one.controller_at = one.heard_at;
             one.authority = parts.some(Number) ? value("authority_code") : undefined;
         } else if (row.code === "4B00h" && value("query_type") === "component_identification") {
             one.name = value("identification");
@@ -621,10 +622,11 @@ const live = (() => {
         const all = components.map(one => one.own ? one : { ...senders.get(one.id), ...told(one) });
         const listed = new Set(components.map(one => one.id));
         for (const one of senders.values()) if (!listed.has(one.id)) all.push({ ...one, age: Math.max(0, at - one.heard_at) });
-        const reported = one => one.state_at !== undefined && at - one.state_at > old_state ? `, ${seconds_text(at - one.state_at)} ago` : "";
+        const is_old = reported_at => reported_at !== undefined && at - reported_at > old_state;
+        const age_of = reported_at => is_old(reported_at) ? `, ${seconds_text(at - reported_at)} ago` : "";
         fill(find("#live-components tbody"), all.slice(0, most_rows).map(one => [{ text: String(one.id ?? ""), class: "id" }, (one.name ?? "") + (one.own ? " (own)" : ""),
-            { text: (one.state ?? "") + reported(one), class: { ready: "good", emergency: "bad", failure: "bad" }[one.state] ?? "" },
-            one.controller ? { text: one.controller + (one.authority === undefined ? "" : ` (authority ${one.authority})`), class: "controller" } : one.own ? "none" : "",
+            { text: (one.state ?? "") + age_of(one.state_at), class: is_old(one.state_at) ? "" : { ready: "good", emergency: "bad", failure: "bad" }[one.state] ?? "" },
+            one.controller ? { text: one.controller + (one.authority === undefined ? "" : ` (authority ${one.authority})`) + age_of(one.controller_at), class: "controller" } : one.own ? "none" : "",
             { text: one.age === undefined ? "" : one.own ? "" : `${seconds_text(one.age)} ago`, class: "number" }]));
         for (const [id, list] of [["#live-systems", systems], ["#live-components", all]]) find(id).parentElement.hidden = list.length === 0;
     }
