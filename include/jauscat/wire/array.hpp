@@ -107,13 +107,13 @@ template <auto Member, class Element = record> struct array {
         return get(object, in_cursor{in, 0}, plain_root{}).error();
     }
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
-        return detail::size_of_elements<form_in<decltype(object)>>(value_of(member_of<Member>(object)), here);
+        return detail::size_of_elements<form_in<decltype(object)>>(value_of<Member>(object), here);
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        return detail::put_elements<form_in<decltype(object)>>(value_of(member_of<Member>(object)), c, here);
+        return detail::put_elements<form_in<decltype(object)>>(value_of<Member>(object), c, here);
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        auto& elements = emplace_in(member_of<Member>(object));
+        auto& elements = emplace_in<Member>(object);
         return detail::get_elements<form_in<decltype(object)>>(elements.data(), length, c, here);
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
@@ -148,7 +148,7 @@ template <auto Member, class Element = record> struct array {
     template <class Object>
     using form_in = typename detail::element_form<
         element_type, raw_object<Object>,
-        std::remove_cvref_t<decltype(value_of(member_of<Member>(std::declval<Object&>()))[0])>>::type;
+        std::remove_cvref_t<decltype(value_of<Member>(std::declval<Object&>())[0])>>::type;
 };
 
 } // namespace jauscat::wire

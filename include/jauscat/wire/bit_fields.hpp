@@ -53,7 +53,10 @@ template <auto Member, std::size_t Width> struct bit_field {
             return value(object) >> Width == 0;
     }
     JAUSCAT_INLINE static constexpr void assign(auto& object, std::uint64_t bits) noexcept {
-        member_of<Member>(object) = from_bits(bits);
+        if constexpr (is_signed)
+            member_of<Member>(object) = from_bits(bits);
+        else
+            member_of<Member>(object) = static_cast<value_type>(bits);
     }
     JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(bit_field{}, member_of<Member>(object));

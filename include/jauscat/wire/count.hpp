@@ -31,8 +31,8 @@ template <label Name, class Codec> struct count {
 
     JAUSCAT_INLINE static constexpr out_cursor put(std::size_t elements, out_cursor c, const auto&) noexcept {
         if (elements > limit) return {c.at, errc::count_above_capacity};
-        detail::write<Codec::size>(
-            c, [&](std::byte* out) { return Codec::store(out, static_cast<value_type>(elements)); });
+        c.error = Codec::store(c.at, static_cast<value_type>(elements));
+        if (c.error == errc::ok) c.at += Codec::size;
         return c;
     }
     // Reads it and steps over it.

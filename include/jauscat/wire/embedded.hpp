@@ -110,10 +110,10 @@ template <auto Member, class Count> struct embedded {
     static consteval std::string_view name() { return name_of<Member>(); }
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto&) noexcept {
-        return Count::prefix_size + value_of(member_of<Member>(object)).size();
+        return Count::prefix_size + value_of<Member>(object).size();
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        const auto& inner = value_of(member_of<Member>(object));
+        const auto& inner = value_of<Member>(object);
         c = Count::put(inner.size(), c, here);
         return c.error == errc::ok ? inner.put(c.at) : c;
     }
@@ -121,7 +121,7 @@ template <auto Member, class Count> struct embedded {
         std::size_t size{};
         if (!Count::get(size, c, here)) return c;
         if (!detail::spend(c, size)) return c;
-        emplace_in(member_of<Member>(object)) = embedded_message{std::span{c.at, size}};
+        emplace_in<Member>(object) = embedded_message{std::span{c.at, size}};
         c.at += size;
         return c;
     }

@@ -101,21 +101,6 @@ template <class Item> using references_of = std::remove_const_t<decltype(referen
 
 template <class Item> concept fixed_item = Item::min_size == Item::max_size && !is_contextual<Item>;
 
-/// The value in a std::optional member, or the member itself.
-JAUSCAT_INLINE constexpr auto& value_of(auto& member) noexcept {
-    if constexpr (requires { member.has_value(); })
-        return *member;
-    else
-        return member;
-}
-/// The same for a member that is about to be decoded.
-JAUSCAT_INLINE constexpr auto& emplace_in(auto& member) noexcept {
-    if constexpr (requires { member.has_value(); })
-        return member.emplace();
-    else
-        return member;
-}
-
 /// Marks an object with raw integers as scaled fields.
 template <class Object> concept raw_object = requires { typename std::remove_cvref_t<Object>::raw_of; };
 
@@ -123,6 +108,24 @@ template <class Object> concept raw_object = requires { typename std::remove_cvr
 template <auto Member, class Object> JAUSCAT_INLINE constexpr auto& member_of(Object& object) noexcept {
     if constexpr (raw_object<Object>)
         return object.*Object::template place<Member>;
+    else
+        return object.*Member;
+}
+/// The value in a std::optional member, or the member itself.
+template <auto Member> JAUSCAT_INLINE constexpr auto& value_of(auto& object) noexcept {
+    if constexpr (is_optional_member<Member>)
+        return *member_of<Member>(object);
+    else if constexpr (raw_object<decltype(object)>)
+        return member_of<Member>(object);
+    else
+        return object.*Member;
+}
+/// The same for a member that is about to be decoded.
+template <auto Member> JAUSCAT_INLINE constexpr auto& emplace_in(auto& object) noexcept {
+    if constexpr (is_optional_member<Member>)
+        return member_of<Member>(object).emplace();
+    else if constexpr (raw_object<decltype(object)>)
+        return member_of<Member>(object);
     else
         return object.*Member;
 }

@@ -34,11 +34,6 @@ template <class Item> consteval std::string_view item_label() {
 }
 
 namespace detail {
-/// Lets `put` write `Size` bytes, and steps over them.
-template <std::size_t Size> JAUSCAT_INLINE constexpr void write(out_cursor& c, auto&& put) noexcept {
-    c.error = put(c.at);
-    if (c.error == errc::ok) c.at += Size;
-}
 /// Takes `size` bytes from those beyond the layout's minimum; false where there are not so many.
 JAUSCAT_INLINE constexpr bool spend(in_cursor& c, std::size_t size) noexcept {
     if (size > c.slack) {
@@ -55,6 +50,12 @@ template <class Item> JAUSCAT_INLINE constexpr std::size_t size_of_item(const au
     else
         return Item::size(object, here);
 }
+/// What tells the size of an item: one function for all items that take `Size` bytes.
+template <std::size_t Size> struct always_sized {
+    JAUSCAT_INLINE static constexpr std::size_t size(const auto&, const auto&) noexcept { return Size; }
+};
+template <class Item>
+using sized = std::conditional_t<Item::min_size == Item::max_size, always_sized<Item::max_size>, Item>;
 // Few layers: each is a function for each field, and the compiler's time goes by their number.
 template <class Item>
 JAUSCAT_INLINE constexpr bool put_item(const auto& object, out_cursor& c, [[maybe_unused]] const auto& here) noexcept {
@@ -185,7 +186,7 @@ template <class... Items> struct layout {
 
     JAUSCAT_INLINE static constexpr std::size_t size([[maybe_unused]] const auto& object,
                                                      [[maybe_unused]] const auto& here) noexcept {
-        return (detail::size_of_item<Items>(object, here) + ... + 0);
+        return (detail::sized<Items>::size(object, here) + ... + 0);
     }
     JAUSCAT_INLINE static constexpr out_cursor put([[maybe_unused]] const auto& object, out_cursor c,
                                                    [[maybe_unused]] const auto& here) noexcept {

@@ -61,7 +61,7 @@ template <auto Member> struct nested {
     JAUSCAT_INLINE static constexpr errc put(const auto& object, std::byte* out) noexcept
     requires fixed_item<inner>
     {
-        const auto& value = value_of(member_of<Member>(object));
+        const auto& value = value_of<Member>(object);
         if constexpr (detail::copied_whole<value_type> && !raw_object<decltype(object)>) {
             if (!std::is_constant_evaluated()) {
                 std::memcpy(out, &value, max_size);
@@ -73,7 +73,7 @@ template <auto Member> struct nested {
     JAUSCAT_INLINE static constexpr errc get(auto& object, const std::byte* in) noexcept
     requires fixed_item<inner>
     {
-        auto& value = emplace_in(member_of<Member>(object));
+        auto& value = emplace_in<Member>(object);
         if constexpr (detail::copied_whole<value_type> && !raw_object<decltype(object)>) {
             if (!std::is_constant_evaluated()) {
                 std::memcpy(&value, in, max_size);
@@ -83,15 +83,15 @@ template <auto Member> struct nested {
         return inner::get(value, in_cursor{in, 0}, plain_root{}).error();
     }
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
-        const auto& value = value_of(member_of<Member>(object));
+        const auto& value = value_of<Member>(object);
         return inner::size(value, object_scope{value, here});
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        const auto& value = value_of(member_of<Member>(object));
+        const auto& value = value_of<Member>(object);
         return inner::put(value, c, object_scope{value, here});
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        auto& value = emplace_in(member_of<Member>(object));
+        auto& value = emplace_in<Member>(object);
         return inner::get(value, c, object_scope{value, here});
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {

@@ -101,7 +101,10 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     JAUSCAT_INLINE static constexpr mask_type mask(const auto& object) noexcept {
         mask_type m{};
         std::size_t at = 0;
-        ((m |= present<Items>(object, at)), ...);
+        if constexpr ((Items::optional && ...) && !raw_object<decltype(object)>)
+            ((m |= static_cast<mask_type>((object.*Items::key).has_value()) << at++), ...);
+        else
+            ((m |= present<Items>(object, at)), ...);
         return m;
     }
 
@@ -132,25 +135,20 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
             return error == errc::ok ? end : in_cursor::failed(error);
         } else {
             set_flags(object, m); // first, because an item before a flag may be gated by it
-            return each(c, m, [&]<class Item>(bool present, in_cursor& cursor) {
-                if constexpr (takes_bit<Item>) {
-                    if (!present) {
-                        absent<Item>(object);
-                        return true;
-                    }
-                }
-                return detail::get_item<Item>(object, cursor, here);
-            });
+            std::size_t at = 0;
+            static_cast<void>(step_over_vector(c, m) && (get_if_present<Items>(object, m, at, c, here) && ...));
+            return behind_items(c, m);
         }
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         const mask_type m = loaded(c.at);
-        if constexpr (all_fixed)
+        if constexpr (all_fixed) {
             return end_of(c, m);
-        else
-            return each(c, m, [&]<class Item>(bool present, in_cursor& cursor) {
-                return !present || detail::measure_item<Item>(cursor, here);
-            });
+        } else {
+            std::size_t at = 0;
+            static_cast<void>(step_over_vector(c, m) && (measure_if_present<Items>(m, at, c, here) && ...));
+            return behind_items(c, m);
+        }
     }
     JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
         const mask_type m = loaded(in);
@@ -202,9 +200,12 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     }
 
     /// Sets the members that are bits of the vector.
-    JAUSCAT_INLINE static constexpr void set_flags(auto& object, mask_type m) noexcept {
-        std::size_t at = 0;
-        (set_flag<Items>(object, m, at), ...);
+    JAUSCAT_INLINE static constexpr void set_flags([[maybe_unused]] auto& object,
+                                                   [[maybe_unused]] mask_type m) noexcept {
+        if constexpr ((requires { Items::takes_bit; } || ...)) {
+            std::size_t at = 0;
+            (set_flag<Items>(object, m, at), ...);
+        }
     }
 
   private:
@@ -239,14 +240,23 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
 
     template <class Item>
     JAUSCAT_INLINE static constexpr std::size_t size_if_present(const auto& object, const auto& here) noexcept {
-        return is_present<Item>(object) ? detail::size_of_item<Item>(object, here) : 0;
+        if constexpr (takes_bit<Item>) {
+            if (!member_of<Item::key>(object)) return 0;
+        }
+        return detail::sized<Item>::size(object, here);
     }
+    // Members of messages are named without member_of: a function for each of them costs the compiler a tenth of its
+    // time.
     template <class Item>
     JAUSCAT_INLINE static constexpr bool put_if_present(const auto& object, mask_type& m, std::size_t& at,
                                                         out_cursor& c, const auto& here) noexcept {
         if constexpr (takes_bit<Item>) {
             const auto bit = mask_type{1} << at++;
-            if (!member_of<Item::key>(object)) return true;
+            if constexpr (raw_object<decltype(object)>) {
+                if (!member_of<Item::key>(object)) return true;
+            } else {
+                if (!(object.*Item::key)) return true;
+            }
             m |= bit;
         }
         if constexpr (fixed_item<Item>) {
@@ -258,18 +268,17 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
             return detail::put_item<Item>(object, c, here);
         }
     }
-    template <class Item> JAUSCAT_INLINE static constexpr void absent(auto& object) noexcept {
-        if constexpr (Item::optional)
-            member_of<Item::key>(object).reset();
-        else
-            member_of<Item::key>(object) = false;
-    }
     template <class Item>
     JAUSCAT_INLINE static constexpr bool get_fixed(auto& object, mask_type m, std::size_t& at, const std::byte*& in,
                                                    errc& error) noexcept {
         if constexpr (takes_bit<Item>) {
             if ((m >> at++ & 1u) == 0) {
-                absent<Item>(object);
+                if constexpr (!Item::optional)
+                    member_of<Item::key>(object) = false;
+                else if constexpr (raw_object<decltype(object)>)
+                    member_of<Item::key>(object).reset();
+                else
+                    (object.*Item::key).reset();
                 return true;
             }
         }
@@ -286,27 +295,43 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         if constexpr (takes_bit<Item>) ++at;
     }
 
-    // Steps over the items one by one: `step<Item>(present, cursor)`.
-    JAUSCAT_INLINE static constexpr in_cursor each(in_cursor c, mask_type m, auto&& step) noexcept {
+    // False for a vector that is refused.
+    JAUSCAT_INLINE static constexpr bool step_over_vector(in_cursor& c, [[maybe_unused]] mask_type m) noexcept {
         if constexpr (Unknown == unknown_bits::refused) {
-            if ((m & ~known_bits) != 0) return in_cursor::failed(errc::unknown_presence_bit);
+            if ((m & ~known_bits) != 0) {
+                c = in_cursor::failed(errc::unknown_presence_bit);
+                return false;
+            }
         }
         c.at += Carrier::size;
-        std::size_t at = 0;
-        static_cast<void>((step_over<Items>(c, m, at, step) && ...));
+        return true;
+    }
+    JAUSCAT_INLINE static constexpr in_cursor behind_items(in_cursor c, [[maybe_unused]] mask_type m) noexcept {
         if constexpr (Unknown == unknown_bits::tolerated) {
-            if (c.at != nullptr && (m & ~known_bits) != 0) c = {c.at + c.slack, 0};
+            if (c.at != nullptr && (m & ~known_bits) != 0) return {c.at + c.slack, 0};
         }
         return c;
     }
     template <class Item>
-    JAUSCAT_INLINE static constexpr bool step_over(in_cursor& c, mask_type m, std::size_t& at, auto&& step) noexcept {
-        bool present = true;
+    JAUSCAT_INLINE static constexpr bool get_if_present(auto& object, mask_type m, [[maybe_unused]] std::size_t& at,
+                                                        in_cursor& c, const auto& here) noexcept {
         if constexpr (takes_bit<Item>) {
-            present = (m >> at++ & 1u) != 0;
-            if (present && !detail::spend(c, Item::min_size)) return false;
+            if ((m >> at++ & 1u) == 0) {
+                if constexpr (Item::optional) member_of<Item::key>(object).reset(); // a flag is clear already
+                return true;
+            }
+            if (!detail::spend(c, Item::min_size)) return false;
         }
-        return step.template operator()<Item>(present, c);
+        return detail::get_item<Item>(object, c, here);
+    }
+    template <class Item>
+    JAUSCAT_INLINE static constexpr bool measure_if_present(mask_type m, [[maybe_unused]] std::size_t& at, in_cursor& c,
+                                                            const auto& here) noexcept {
+        if constexpr (takes_bit<Item>) {
+            if ((m >> at++ & 1u) == 0) return true;
+            if (!detail::spend(c, Item::min_size)) return false;
+        }
+        return detail::measure_item<Item>(c, here);
     }
     // Bytes of the vector and of the first `Count` items.
     template <std::size_t Count>

@@ -26,7 +26,8 @@ template <class Codec, bool Raw> struct value_form {
     static constexpr bool fixed = true;
     JAUSCAT_INLINE static constexpr std::size_t size(const auto&, const auto&) noexcept { return Codec::size; }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& value, out_cursor c, const auto&) noexcept {
-        write<Codec::size>(c, [&](std::byte* out) { return used::store(out, value); });
+        c.error = used::store(c.at, value);
+        if (c.error == errc::ok) c.at += Codec::size;
         return c;
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& value, in_cursor c, const auto&) noexcept {
@@ -196,18 +197,18 @@ template <auto Member, class Count, class Element = record> struct repeated {
     using raw_type = std::conditional_t<optional, std::optional<raw_list>, raw_list>;
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
-        const auto& elements = value_of(member_of<Member>(object));
+        const auto& elements = value_of<Member>(object);
         return Count::prefix_size + detail::size_of_elements<form_in<decltype(object)>>(elements, here);
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        const auto& elements = value_of(member_of<Member>(object));
+        const auto& elements = value_of<Member>(object);
         c = Count::put(elements.size(), c, here);
         if (c.error != errc::ok) return c;
         return detail::put_elements<form_in<decltype(object)>>(elements, c, here);
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         using form = form_in<decltype(object)>;
-        auto& elements = emplace_in(member_of<Member>(object));
+        auto& elements = emplace_in<Member>(object);
         using stored = typename list_traits<std::remove_reference_t<decltype(elements)>>::value_type;
         std::size_t size{};
         if (!Count::get(size, c, here)) return c;
@@ -250,8 +251,7 @@ template <auto Member, class Count, class Element = record> struct repeated {
   private:
     template <class Object>
     using form_in = typename detail::element_form<
-        Element, raw_object<Object>,
-        std::remove_cvref_t<decltype(value_of(member_of<Member>(std::declval<Object&>()))[0])>>::type;
+        Element, raw_object<Object>, std::remove_cvref_t<decltype(value_of<Member>(std::declval<Object&>())[0])>>::type;
 
     // Takes the fewest bytes of `size` elements from the slack.
     JAUSCAT_INLINE static constexpr bool spend_elements(in_cursor& c, std::size_t size) noexcept {

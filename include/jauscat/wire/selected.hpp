@@ -37,8 +37,8 @@ template <class Form> struct case_form {
     template <bool Raw>
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& value, out_cursor c, const auto&) noexcept {
         using used = wire::codec_in_mode<Form, Raw>;
-        write<Form::size>(
-            c, [&](std::byte* out) { return used::store(out, static_cast<typename used::value_type>(value)); });
+        c.error = used::store(c.at, static_cast<typename used::value_type>(value));
+        if (c.error == errc::ok) c.at += Form::size;
         return c;
     }
     template <bool Raw> JAUSCAT_INLINE static constexpr in_cursor get(auto& value, in_cursor c, const auto&) noexcept {
@@ -221,15 +221,13 @@ template <auto Member, class Selector, class... Cases> struct selected {
     }
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
-        return table_in<decltype(object)>::size(value_of(member_of<Member>(object)), Selector::value(here));
+        return table_in<decltype(object)>::size(value_of<Member>(object), Selector::value(here));
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        return table_in<decltype(object)>::put(value_of(member_of<Member>(object)), Selector::value(here), c,
-                                               root_of(here));
+        return table_in<decltype(object)>::put(value_of<Member>(object), Selector::value(here), c, root_of(here));
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        return table_in<decltype(object)>::get(emplace_in(member_of<Member>(object)), Selector::value(here), c,
-                                               root_of(here));
+        return table_in<decltype(object)>::get(emplace_in<Member>(object), Selector::value(here), c, root_of(here));
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         return table<value_type, false>::measure(Selector::value(here), c, here.end);
@@ -252,7 +250,7 @@ template <auto Member, class Selector, class... Cases> struct selected {
   private:
     template <class Object>
     using table_in =
-        table<std::remove_cvref_t<decltype(value_of(member_of<Member>(std::declval<Object&>())))>, raw_object<Object>>;
+        table<std::remove_cvref_t<decltype(value_of<Member>(std::declval<Object&>()))>, raw_object<Object>>;
 };
 
 } // namespace jauscat::wire

@@ -72,17 +72,17 @@ template <auto Member, class Count> struct counted_run : detail::octet_run<Membe
     static constexpr std::size_t min_size = Count::prefix_size, max_size = unbounded;
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto&) noexcept {
-        return Count::prefix_size + value_of(member_of<Member>(object)).size();
+        return Count::prefix_size + value_of<Member>(object).size();
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        const auto& value = value_of(member_of<Member>(object));
+        const auto& value = value_of<Member>(object);
         return base::append(value, Count::put(value.size(), c, here));
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         std::size_t size{};
         if (!Count::get(size, c, here)) return c;
         if (!detail::spend(c, size)) return c;
-        emplace_in(member_of<Member>(object)) = base::pointing_at(c.at, size);
+        emplace_in<Member>(object) = base::pointing_at(c.at, size);
         c.at += size;
         return c;
     }
@@ -110,13 +110,13 @@ template <auto Member> struct run_to_end : detail::octet_run<Member, rest> {
     static constexpr std::size_t min_size = 0, max_size = unbounded;
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto&) noexcept {
-        return value_of(member_of<Member>(object)).size();
+        return value_of<Member>(object).size();
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto&) noexcept {
-        return base::append(value_of(member_of<Member>(object)), c);
+        return base::append(value_of<Member>(object), c);
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto&) noexcept {
-        emplace_in(member_of<Member>(object)) = base::pointing_at(c.at, c.slack);
+        emplace_in<Member>(object) = base::pointing_at(c.at, c.slack);
         return {c.at + c.slack, 0};
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto&) noexcept { return {c.at + c.slack, 0}; }
@@ -136,12 +136,13 @@ template <auto Member, std::size_t Size> struct lenient_run : detail::octet_run<
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto&, const auto&) noexcept { return Size; }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto&) noexcept {
-        const auto& value = value_of(member_of<Member>(object));
-        detail::write<Size>(c, [&](std::byte* out) { return base::put_filled(value, out, Size); });
+        const auto& value = value_of<Member>(object);
+        c.error = base::put_filled(value, c.at, Size);
+        if (c.error == errc::ok) c.at += Size;
         return c;
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto&) noexcept {
-        emplace_in(member_of<Member>(object)) = base::pointing_at(c.at, base::filled(c.at, c.slack));
+        emplace_in<Member>(object) = base::pointing_at(c.at, base::filled(c.at, c.slack));
         return {c.at + c.slack, 0};
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto&) noexcept { return {c.at + c.slack, 0}; }
@@ -159,10 +160,10 @@ template <auto Member, std::size_t Size> struct fixed_run : detail::octet_run<Me
     static constexpr std::size_t min_size = Size, max_size = Size;
 
     JAUSCAT_INLINE static constexpr errc put(const auto& object, std::byte* out) noexcept {
-        return base::put_filled(value_of(member_of<Member>(object)), out, Size);
+        return base::put_filled(value_of<Member>(object), out, Size);
     }
     JAUSCAT_INLINE static constexpr errc get(auto& object, const std::byte* in) noexcept {
-        emplace_in(member_of<Member>(object)) = base::pointing_at(in, base::filled(in, Size));
+        emplace_in<Member>(object) = base::pointing_at(in, base::filled(in, Size));
         return errc::ok;
     }
     template <auto, reading> JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto&) noexcept {
@@ -185,19 +186,19 @@ template <auto Member> struct terminated_run : detail::octet_run<Member, zero_te
         return true;
     }
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto&) noexcept {
-        return value_of(member_of<Member>(object)).size() + 1;
+        return value_of<Member>(object).size() + 1;
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto&) noexcept {
-        const auto& value = value_of(member_of<Member>(object));
+        const auto& value = value_of<Member>(object);
         if (!legal(value)) return {c.at, errc::out_of_range};
         c = base::append(value, c);
-        detail::write<1>(c, [](std::byte* out) { return *out = std::byte{}, errc::ok; });
+        *c.at++ = std::byte{};
         return c;
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto&) noexcept {
         const std::size_t size = length(c.at, c.slack + 1);
         if (size == c.slack + 1) return in_cursor::failed(errc::truncated);
-        emplace_in(member_of<Member>(object)) = base::pointing_at(c.at, size);
+        emplace_in<Member>(object) = base::pointing_at(c.at, size);
         return {c.at + size + 1, c.slack - size};
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto&) noexcept {

@@ -215,15 +215,13 @@ template <auto Member> struct walk_over<nested<Member>> {
     using item = nested<Member>;
     static constexpr bool get(auto& object, auto& trace, const auto& here) {
         trace.template enter<item>();
-        if (!walk_get_message<typename item::value_type>(emplace_in(member_of<Member>(object)), trace, here))
-            return false;
+        if (!walk_get_message<typename item::value_type>(emplace_in<Member>(object), trace, here)) return false;
         trace.leave();
         return true;
     }
     static constexpr bool put(const auto& object, auto& trace, const auto& here) {
         trace.template enter<item>();
-        if (!walk_put_message<typename item::value_type>(value_of(member_of<Member>(object)), trace, here))
-            return false;
+        if (!walk_put_message<typename item::value_type>(value_of<Member>(object), trace, here)) return false;
         trace.leave();
         return true;
     }
@@ -285,8 +283,8 @@ template <class Item, bool Raw> constexpr bool walk_put_elements(const auto& ele
 }
 /// One element of the list or the array, as `object` holds it.
 template <auto Member, class Object>
-using element_in = typename list_traits<
-    std::remove_cvref_t<decltype(value_of(member_of<Member>(std::declval<Object&>())))>>::value_type;
+using element_in =
+    typename list_traits<std::remove_cvref_t<decltype(value_of<Member>(std::declval<Object&>()))>>::value_type;
 
 template <auto Member, class Element> struct walk_over<array<Member, Element>> {
     using item = array<Member, Element>;
@@ -295,7 +293,7 @@ template <auto Member, class Element> struct walk_over<array<Member, Element>> {
         return walk_get_elements<item, raw_object<Object>>(item::length, scratch, trace, here);
     }
     template <class Object> static constexpr bool put(const Object& object, auto& trace, const auto& here) {
-        return walk_put_elements<item, raw_object<Object>>(value_of(member_of<Member>(object)), trace, here);
+        return walk_put_elements<item, raw_object<Object>>(value_of<Member>(object), trace, here);
     }
 };
 
@@ -332,7 +330,7 @@ template <auto Member, class Count, class Element> struct walk_over<repeated<Mem
         return walk_get_elements<item, raw_object<Object>>(size, scratch, trace, here);
     }
     template <class Object> static constexpr bool put(const Object& object, auto& trace, const auto& here) {
-        const auto& elements = value_of(member_of<Member>(object));
+        const auto& elements = value_of<Member>(object);
         return walk_put_count<Count>(elements.size(), trace, here) &&
                walk_put_elements<item, raw_object<Object>>(elements, trace, here);
     }
@@ -422,7 +420,7 @@ template <auto Member, class Selector, class... Cases> struct walk_over<selected
             using form = typename Case::form;
             if (!trace.reach(item::name(), case_form<form>::min_size)) return;
             if constexpr (message<form>) {
-                auto& value = emplace_in(member_of<Member>(object));
+                auto& value = emplace_in<Member>(object);
                 if constexpr (item::of_variant)
                     done = walk_get_message<form>(value.template emplace<form>(), trace, root_of(here));
                 else
@@ -441,7 +439,7 @@ template <auto Member, class Selector, class... Cases> struct walk_over<selected
         return true;
     }
     static constexpr bool put(const auto& object, auto& trace, const auto& here) {
-        const auto& value = value_of(member_of<Member>(object));
+        const auto& value = value_of<Member>(object);
         bool done = false;
         const bool known = item::with_case(Selector::value(here), [&]<class Case>() {
             using form = typename Case::form;
@@ -476,7 +474,7 @@ template <auto Member, class Count> struct walk_over<counted_run<Member, Count>>
         return true;
     }
     static constexpr bool put(const auto& object, auto& trace, const auto& here) {
-        const std::size_t size = value_of(member_of<Member>(object)).size();
+        const std::size_t size = value_of<Member>(object).size();
         if (!walk_put_count<Count>(size, trace, here)) return false;
         trace.advance(size);
         return true;
@@ -496,7 +494,7 @@ template <auto Member, class Tag> struct walk_over<variant<Member, Tag>> {
         const bool known = alternatives::with(index, [&]<std::size_t I, class Alternative>() {
             trace.advance(Tag::size);
             trace.template passed_number<Tag::size>(index_name, index);
-            [[maybe_unused]] auto& value = emplace_in(member_of<Member>(object)).template emplace<I>();
+            [[maybe_unused]] auto& value = emplace_in<Member>(object).template emplace<I>();
             if constexpr (message<Alternative>)
                 done = walk_get_message<Alternative>(value, trace, root_of(here));
             else
@@ -508,7 +506,7 @@ template <auto Member, class Tag> struct walk_over<variant<Member, Tag>> {
         return true;
     }
     static constexpr bool put(const auto& object, auto& trace, const auto& here) {
-        const auto& value = value_of(member_of<Member>(object));
+        const auto& value = value_of<Member>(object);
         trace.template enter<item>();
         trace.reach(index_name, Tag::size);
         trace.advance(Tag::size);
@@ -530,7 +528,7 @@ template <auto Member, class Count> struct walk_over<embedded<Member, Count>> {
     static constexpr bool get(auto& object, auto& trace, const auto& here) {
         std::size_t size{};
         if (!walk_get_count<Count>(size, trace, here) || !trace.reach(item::name(), size)) return false;
-        emplace_in(member_of<Member>(object)) = embedded_message{std::span{trace.at(), size}};
+        emplace_in<Member>(object) = embedded_message{std::span{trace.at(), size}};
         trace.advance(size);
         trace.template passed<item>(object);
         return true;
@@ -538,7 +536,7 @@ template <auto Member, class Count> struct walk_over<embedded<Member, Count>> {
     // A longer embedded message, which no packet carries, is not put: its own diagnose explains why it does not encode.
     static constexpr std::size_t most_of_embedded = 4096;
     static constexpr bool put(const auto& object, auto& trace, const auto& here) {
-        const embedded_message& inner = value_of(member_of<Member>(object));
+        const embedded_message& inner = value_of<Member>(object);
         if (!walk_put_count<Count>(inner.size(), trace, here)) return false;
         trace.reach(item::name(), inner.size());
         if (inner.size() <= most_of_embedded) {
@@ -553,7 +551,7 @@ template <auto Member, class Count> struct walk_over<embedded<Member, Count>> {
 template <auto Member> struct walk_over<terminated_run<Member>> : walk_over_whole<terminated_run<Member>> {
     using item = terminated_run<Member>;
     static constexpr bool put(const auto& object, auto& trace, const auto&) {
-        const auto& value = value_of(member_of<Member>(object));
+        const auto& value = value_of<Member>(object);
         if (!item::legal(value)) return trace.fail(errc::out_of_range);
         trace.advance(value.size() + 1);
         return true;

@@ -3,6 +3,7 @@
 #pragma once
 #include <jauscat/wire/bit_fields.hpp>
 #include <jauscat/wire/count.hpp>
+#include <jauscat/wire/presence.hpp>
 
 #include <type_traits>
 #include <utility>
@@ -159,12 +160,38 @@ template <class Item> constexpr bool member_in_its_set(const auto& member) noexc
     else
         return in_its_set<Item>(member);
 }
+/// The values of an item in `object`. Only items that check values are asked: a function for each of the others would
+/// cost compile time.
+template <class Item> struct values_of {
+    static constexpr bool are_inside(const auto& object) noexcept {
+        if constexpr (requires { Item::key; } && !requires { typename Item::gated_item; }) {
+            return member_in_its_set<Item>(member_of<Item::key>(object));
+        } else {
+            bool inside = true;
+            Item::visit(object, [&]<class Leaf>(Leaf, const auto& member) {
+                inside = inside && member_in_its_set<Leaf>(member);
+            });
+            return inside;
+        }
+    }
+};
+struct no_values {
+    static constexpr bool are_inside(const auto&) noexcept { return true; }
+};
+template <class Item> using checked_values = std::conditional_t<item_checks_values<Item>, values_of<Item>, no_values>;
+template <class... Items> struct values_of<layout<Items...>> {
+    static constexpr bool are_inside(const auto& object) noexcept {
+        return (checked_values<Items>::are_inside(object) && ... && true);
+    }
+};
+template <unknown_bits Unknown, class Carrier, class... Items>
+struct values_of<presence_group<Unknown, Carrier, Items...>> : values_of<layout<Items...>> {};
+
 template <class T> constexpr errc check_values_in(const T& object) noexcept {
-    bool inside = true;
     if constexpr (!raw_object<T> && layout_of<T>::checks_values)
-        layout_of<T>::visit(
-            object, [&]<class Item>(Item, const auto& member) { inside = inside && member_in_its_set<Item>(member); });
-    return inside ? errc::ok : errc::outside_value_set;
+        return values_of<layout_of<T>>::are_inside(object) ? errc::ok : errc::outside_value_set;
+    else
+        return errc::ok;
 }
 } // namespace detail
 

@@ -196,15 +196,15 @@ template <auto Member, class Tag> struct variant {
     static consteval std::string_view name() { return name_of<Member>(); }
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto&) noexcept {
-        return Tag::size + alternatives::size(value_of(member_of<Member>(object)));
+        return Tag::size + alternatives::size(value_of<Member>(object));
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto&) noexcept {
-        const auto& value = value_of(member_of<Member>(object));
+        const auto& value = value_of<Member>(object);
         Tag::store(c.at, static_cast<tag_type>(value.index()));
         return alternatives::put(value, {c.at + Tag::size, errc::ok});
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        return alternatives::get(emplace_in(member_of<Member>(object)), index_at(c.at), {c.at + Tag::size, c.slack},
+        return alternatives::get(emplace_in<Member>(object), index_at(c.at), {c.at + Tag::size, c.slack},
                                  root_of(here));
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
