@@ -8,6 +8,9 @@ namespace jauscat::wire {
 
 /// The outermost scope of encoding, of a view, and of decoding without memory.
 struct plain_root {};
+/// The outermost scope of encoding a message in which nothing but variants has value sets: each is checked where it is
+/// written, because to look for its alternative a second time took a third of the instructions.
+struct checking_root {};
 /// The outermost scope of decoding into lists.
 struct memory_root {
     arena& memory;

@@ -193,6 +193,11 @@ template <class T> constexpr errc check_values_in(const T& object) noexcept {
     else
         return errc::ok;
 }
+
+/// Whether nothing in `T` has value sets but variants, so that these can be checked where they are written.
+template <class T>
+inline constexpr bool only_variants_check = layout_of<T>::all_items(
+    []<class Item>() { return !item_checks_values<Item> || requires { typename Item::alternatives; }; });
 } // namespace detail
 
 /// `outside_value_set` if a value of `object`, or the size of a list, is not among those that its layout defines. All

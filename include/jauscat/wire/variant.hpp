@@ -69,11 +69,11 @@ template <class... Alternatives> struct alternatives_of<std::variant<Alternative
         });
         return total;
     }
-    JAUSCAT_INLINE static constexpr out_cursor put(const auto& value, out_cursor c) noexcept {
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& value, out_cursor c, const auto& root) noexcept {
         if constexpr (count > most_inlined)
-            return put_called(value, c);
+            return put_called(value, c, root);
         else
-            return put_here(value, c);
+            return put_here(value, c, root);
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& value, std::size_t index, in_cursor c,
                                                   const auto& root) noexcept {
@@ -100,15 +100,24 @@ template <class... Alternatives> struct alternatives_of<std::variant<Alternative
     }
 
   private:
-    JAUSCAT_INLINE static constexpr out_cursor put_here(const auto& value, out_cursor c) noexcept {
+    template <class Root>
+    JAUSCAT_INLINE static constexpr out_cursor put_here(const auto& value, out_cursor c, const Root&) noexcept {
         out_cursor end{c.at, errc::unknown_tag};
         with(value.index(), [&]<std::size_t I, class Form>() {
-            end = case_form<Form>::template put<false>(*std::get_if<I>(&value), c, plain_root{});
+            const auto& form = *std::get_if<I>(&value);
+            if constexpr (std::is_same_v<Root, checking_root> && form_checks_values<Form>()) {
+                if (check_values_in(form) != errc::ok) {
+                    end.error = errc::outside_value_set;
+                    return;
+                }
+            }
+            end = case_form<Form>::template put<false>(form, c, plain_root{});
         });
         return end;
     }
-    [[gnu::noinline]] static constexpr out_cursor put_called(const auto& value, out_cursor c) noexcept {
-        return put_here(value, c);
+    [[gnu::noinline]] static constexpr out_cursor put_called(const auto& value, out_cursor c,
+                                                             const auto& root) noexcept {
+        return put_here(value, c, root);
     }
     JAUSCAT_INLINE static constexpr in_cursor get_here(auto& value, std::size_t index, in_cursor c,
                                                        const auto& root) noexcept {
@@ -198,10 +207,10 @@ template <auto Member, class Tag> struct variant {
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto&) noexcept {
         return Tag::size + alternatives::size(value_of<Member>(object));
     }
-    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto&) noexcept {
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
         const auto& value = value_of<Member>(object);
         Tag::store(c.at, static_cast<tag_type>(value.index()));
-        return alternatives::put(value, {c.at + Tag::size, errc::ok});
+        return alternatives::put(value, {c.at + Tag::size, errc::ok}, root_of(here));
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         return alternatives::get(emplace_in<Member>(object), index_at(c.at), {c.at + Tag::size, c.slack},
