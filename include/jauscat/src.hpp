@@ -19,6 +19,7 @@
 #include <jauscat/app/impl/explained.ipp>
 #include <jauscat/app/impl/node_context.ipp>
 #include <jauscat/app/impl/node_state.ipp>
+#include <jauscat/app/impl/operation.ipp>
 #include <jauscat/app/impl/search.ipp>
 #include <jauscat/app/impl/served_slave.ipp>
 #include <jauscat/app/impl/slave.ipp>

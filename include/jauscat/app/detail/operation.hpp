@@ -21,7 +21,9 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <tuple>
+#include <type_traits>
 
 namespace jauscat {
 inline namespace JAUSCAT_WAY {
@@ -37,8 +39,33 @@ namespace app {
 
 using boost::system::error_code;
 
+/// Any executor that a handler may have; not boost::asio::any_io_executor, because that of use_future has no context.
+using handler_executor = boost::asio::execution::any_executor<
+    boost::asio::execution::blocking_t::never_t,
+    boost::asio::execution::prefer_only<boost::asio::execution::outstanding_work_t::tracked_t>,
+    boost::asio::execution::prefer_only<boost::asio::execution::outstanding_work_t::untracked_t>>;
+
+/// A call of a handler, later and on its executor. Not a template, so that a program does not compile it for each
+/// handler: it was half of what Asio takes for one.
+class handler_call {
+  public:
+    handler_call(const handler_call&) = delete;
+    handler_call& operator=(const handler_call&) = delete;
+
+  protected:
+    JAUSCAT_DECL explicit handler_call(const handler_executor& executor);
+    ~handler_call() = default;
+    /// `self` owns this object.
+    JAUSCAT_DECL void call_later(std::shared_ptr<handler_call> self);
+
+  private:
+    virtual void call() = 0;
+
+    boost::asio::executor_work_guard<handler_executor> work_;
+};
+
 /// An operation of the application's that waits for its outcome. Only the first outcome counts.
-template <class... Results> class operation {
+template <class... Results> class operation : public std::enable_shared_from_this<operation<Results...>> {
   public:
     operation() = default;
     virtual ~operation() = default;
@@ -66,27 +93,31 @@ template <class... Results> class operation {
 template <class... Results> using operation_ptr = std::shared_ptr<operation<Results...>>;
 
 /// `Convert` makes what the handler gets of the results: a tuple that begins with the error.
-template <class Handler, class Convert, class... Results> class handler_operation final : public operation<Results...> {
-    using executor_type = boost::asio::associated_executor_t<Handler, boost::asio::any_io_executor>;
-
+template <class Handler, class Convert, class... Results>
+class handler_operation final : public operation<Results...>, handler_call {
   public:
     handler_operation(Handler handler, Convert convert, const boost::asio::any_io_executor& otherwise)
-        : handler_{std::move(handler)},
-          convert_{std::move(convert)},
-          work_{boost::asio::get_associated_executor(handler_, otherwise)} {}
+        : handler_call{handler_executor{boost::asio::get_associated_executor(handler, otherwise)}},
+          handler_{std::move(handler)},
+          convert_{std::move(convert)} {}
 
   private:
+    using converted = std::invoke_result_t<Convert&, error_code, Results...>;
+
     void deliver(error_code error, Results... results) override {
-        boost::asio::post(work_.get_executor(),
-                          [handler = std::move(handler_), all = convert_(error, std::move(results)...)]() mutable {
-                              std::apply([&](auto&... each) { std::move(handler)(std::move(each)...); }, all);
-                          });
-        work_.reset();
+        results_.emplace(convert_(error, std::move(results)...));
+        call_later({this->shared_from_this(), static_cast<handler_call*>(this)});
+    }
+    void call() override { call_with(std::make_index_sequence<std::tuple_size_v<converted>>{}); }
+    template <std::size_t... I> void call_with(std::index_sequence<I...>) {
+        auto handler = std::move(handler_);
+        auto results = std::move(*results_);
+        std::move(handler)(std::move(std::get<I>(results))...);
     }
 
     Handler handler_;
     Convert convert_;
-    boost::asio::executor_work_guard<executor_type> work_;
+    std::optional<converted> results_{};
 };
 
 /// Makes the operation of a handler. `executor`: of the node or bus; it calls a handler that has none of its own. Where
@@ -97,8 +128,10 @@ operation_ptr<Results...> make_operation(Handler handler, Convert convert,
 #if BOOST_VERSION >= 107700
     auto slot = boost::asio::get_associated_cancellation_slot(handler);
 #endif
-    operation_ptr<Results...> made =
-        std::make_shared<handler_operation<Handler, Convert, Results...>>(std::move(handler), convert, executor);
+    // Not make_shared: that is thirty functions more for each handler.
+    using made_type = handler_operation<Handler, Convert, Results...>;
+    const operation_ptr<Results...> made{
+        static_cast<operation<Results...>*>(new made_type(std::move(handler), convert, executor))};
 #if BOOST_VERSION >= 107700
     if (slot.is_connected())
         slot.assign([weak = std::weak_ptr{made}, executor](boost::asio::cancellation_type) {
@@ -121,3 +154,7 @@ struct no_conversion {
 } // namespace app
 } // namespace JAUSCAT_WAY
 } // namespace jauscat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/app/impl/operation.ipp>
+#endif
