@@ -30,6 +30,19 @@ TEST_CASE("of two commands between two cycles only the one that the slave accept
     CHECK(r.motor().efforts.back() == Approx(20).margin(0.01));
 }
 
+TEST_CASE("an observer hears of a command that is merged with one which the slave has not executed") {
+    rig r{1, true};
+    r.run_until_ready();
+    const auto alone = r.drive(50);
+    r.run_until([&] { return r.answer(alone).has_value(); });
+    CHECK(r.watcher.merged_numbers.empty());
+    r.run(1ms); // a cycle has just gone
+    r.drive(20);
+    const auto second = r.drive(30);
+    r.run_until([&] { return r.answer(second).has_value(); });
+    CHECK(r.watcher.merged_numbers == std::vector{second});
+}
+
 TEST_CASE("a frame that is delayed by the process data is requested after them") {
     rig r{1, true};
     r.run_until_ready();

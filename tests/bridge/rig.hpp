@@ -22,6 +22,7 @@ using bytes = std::span<const std::byte>;
 /// Records the bridge's events.
 struct notes {
     unsigned up{}, lost{}, settled_debts{}, stops_refused{}, failed_bring_ups{}, ended_faults{};
+    std::vector<std::uint16_t> merged_numbers{};
     std::vector<bridging::drive_fault> faults{};
     std::optional<bridging::loss> last_loss{};
     std::vector<bridging::refusal> refusals{};
@@ -50,6 +51,9 @@ struct notes {
     }
     void faulted(const bridging::component&, const bridging::drive_fault& what) { faults.push_back(what); }
     void fault_ended(const bridging::component&) { ++ended_faults; }
+    void merged(const bridging::component&, const jaus::header& message) {
+        merged_numbers.push_back(message.sequence_number);
+    }
     void refused(const bridging::component&, const jaus::header&, const bridging::refusal_reason& why) {
         refusals.push_back(why.why);
     }
@@ -64,6 +68,7 @@ struct notes {
                 .settled = jaus::bound<&notes::settled>(*this),
                 .faulted = jaus::bound<&notes::faulted>(*this),
                 .fault_ended = jaus::bound<&notes::fault_ended>(*this),
+                .merged = jaus::bound<&notes::merged>(*this),
                 .refused = jaus::bound<&notes::refused>(*this)};
     }
 };

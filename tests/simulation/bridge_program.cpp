@@ -128,6 +128,9 @@ struct bridge_program::life_data {
     void refused(const bridging::component& who, const jaus::header& message, const bridging::refusal_reason& why) {
         mine.model_.drops(account(who), message, text_of(why.why));
     }
+    void merged(const bridging::component& who, const jaus::header& message) {
+        mine.model_.merges(account(who), message);
+    }
     void stop_required(const bridging::component& who, bridging::stop_order what, bridging::stop_cause why) {
         tell({.what = deed::owes_stop,
               .who = number(who),
@@ -163,6 +166,7 @@ struct bridge_program::life_data {
                 .stop_required = jaus::bound<&life_data::stop_required>(*this),
                 .stop_refused = jaus::bound<&life_data::stop_refused>(*this),
                 .settled = jaus::bound<&life_data::settled>(*this),
+                .merged = jaus::bound<&life_data::merged>(*this),
                 .refused = jaus::bound<&life_data::refused>(*this)};
     }
     [[nodiscard]] std::uint8_t account(const bridging::component& who) const {

@@ -475,6 +475,12 @@ void model::tell_choice(const actuator_account& a, const sent_message& sent, jau
 }
 
 void model::drops(std::uint8_t which, const jaus::header& head, const char* why) {
+    tell(which, deed::drops, head, why);
+}
+
+void model::merges(std::uint8_t which, const jaus::header& head) { tell(which, deed::merges, head, nullptr); }
+
+void model::tell(std::uint8_t which, deed what, const jaus::header& head, const char* why) {
     const auto from = account_of(head.source);
     if (!from) return;
     const auto& account = senders_[*from];
@@ -485,7 +491,7 @@ void model::drops(std::uint8_t which, const jaus::header& head, const char* why)
             known->destination == actuators_[which].id)
             message = known;
     }
-    world_.tell({.what = deed::drops,
+    world_.tell({.what = what,
                  .who = actuators_[which].number,
                  .whom = account.program->number(),
                  .code = head.command_code,

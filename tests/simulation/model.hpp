@@ -194,6 +194,8 @@ class model {
     void handled(std::uint8_t which, jaus::component_outcome what = jaus::component_outcome::handled);
     /// A command is not executed; `why`: a literal.
     void drops(std::uint8_t which, const jaus::header& head, const char* why);
+    /// A command is merged with the one before, which the slave has not executed.
+    void merges(std::uint8_t which, const jaus::header& head);
     /// What its motors do: the application got a command, or has brought them to rest.
     void executes(std::uint8_t which, command_number command);
     void rests(std::uint8_t which);
@@ -260,6 +262,7 @@ class model {
     void confirmed(actuator_account& a, const jaus::header& head, bytes body);
     void take_emergency_codes(actuator_account& a, const sent_message& sent);
     void reported(const actuator_account& a, const jaus::header& head, bytes body);
+    void tell(std::uint8_t which, deed what, const jaus::header& head, const char* why);
     void breaks(contract point, const actuator_account& a, std::uint32_t message, std::string expected,
                 std::string found);
     void breaks(contract point, const sender_account& s, std::uint32_t message, std::string expected,

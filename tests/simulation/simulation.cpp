@@ -245,7 +245,7 @@ bool is_chatter(deed what) {
     return what == deed::sends || what == deed::gets || what == deed::loses || what == deed::doubles ||
            what == deed::delays || what == deed::hears_acknowledged || what == deed::hears_refused ||
            what == deed::hears_nothing || what == deed::acknowledges || what == deed::refuses || what == deed::drops ||
-           what == deed::queues;
+           what == deed::queues || what == deed::merges;
 }
 
 } // namespace

@@ -127,7 +127,7 @@ TEST_CASE("growing memory violates the contract, reused memory does not") {
     }
 }
 
-TEST_CASE("a story says what a queue kept, what a component chose, and which stops it requires") {
+TEST_CASE("a story says what was queued, merged and dropped, and which stops it requires") {
     const std::vector<std::string> names{"network", "arm", "operator", "slave"};
     const auto text = [&](happening one) { return text_of(one, names); };
     const happening effort{.who = 1, .whom = 2, .code = 0x0405, .number = 8, .message = 3};
@@ -141,6 +141,8 @@ TEST_CASE("a story says what a queue kept, what a component chose, and which sto
     const std::string message = "Set Wrench Effort 0405h, number 8 (message 3)";
     CHECK(text(of_effort(deed::gets, 17, "")) == "arm gets from operator: " + message + ", command 17");
     CHECK(text(of_effort(deed::queues, 0, "")) == "arm keeps for later: " + message);
+    CHECK(text(of_effort(deed::merges, 17, "")) ==
+          "arm merges with the command before, which its slave has not confirmed: " + message + ", command 17");
     CHECK(text(of_effort(deed::drops, 17, "a newer command has replaced it")) ==
           "arm does not execute of operator: " + message + ", command 17: a newer command has replaced it");
     CHECK(text({.what = deed::owes_stop, .who = 1, .number = 1, .why = "its slave is lost"}) ==

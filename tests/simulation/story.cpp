@@ -56,6 +56,9 @@ std::string text_of(const happening& one, const std::vector<std::string>& names)
     case deed::sends: return name(one.who) + " sends to " + name(one.whom) + ": " + message();
     case deed::gets: return name(one.who) + " gets from " + name(one.whom) + ": " + message() + command();
     case deed::queues: return name(one.who) + " keeps for later: " + message();
+    case deed::merges:
+        return name(one.who) + " merges with the command before, which its slave has not confirmed: " + message() +
+               command();
     case deed::loses: return "the network loses, " + name(one.who) + " to " + name(one.whom) + ": " + message();
     case deed::doubles: return "the network doubles, " + name(one.who) + " to " + name(one.whom) + ": " + message();
     case deed::delays:

@@ -27,6 +27,7 @@ enum class deed : std::uint8_t {
     acknowledges,       ///< code, sequence number, message
     refuses,            ///< with NAK
     queues,             ///< keeps it, to execute it later; code, sequence number, message
+    merges,             ///< with the one before, which its slave has not executed; the same, value: the motion command
     drops,              ///< does not execute it; code, sequence number, message, value: the motion command in it, why
     hears_acknowledged, ///< code, sequence number
     hears_refused,      //

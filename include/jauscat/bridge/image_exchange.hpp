@@ -52,8 +52,7 @@ class image_exchange {
             return translate::errc::wrong_size;
         if (const auto used = wire::decode(image, outputs); !used) return translate::errc_of(used.error());
         count_field::of(image) = taken(inputs);
-        if constexpr (!std::is_void_v<typename CommandTable::presence_row>)
-            CommandTable::presence_row::says_presence::of(image) = {};
+        if constexpr (has_optional_fields) CommandTable::presence_row::says_presence::of(image) = {};
         return translate::errc_of(wire::encode(image, outputs).error());
     }
 
@@ -73,8 +72,7 @@ class image_exchange {
                std::span<const std::byte> inputs, time_point now) noexcept {
         const bool wanted = head.ack_nak == jaus::ack_nak::request;
         if (wanted && waiting_ == capacity) return translate::errc::no_capacity;
-        const bool seen = given(outputs) == taken(inputs);
-        const auto done = seen ? command::to_image(body, outputs) : merge(body, outputs);
+        const auto done = merges_next(outputs, inputs) ? merge(body, outputs) : command::to_image(body, outputs);
         if (wanted && done) wait_[waiting_++] = {head, deadline{now, timeout_}, given(outputs)};
         return done;
     }
@@ -120,6 +118,12 @@ class image_exchange {
         return made ? made->size() : 0;
     }
 
+    /// Whether the next command is merged with the one before, which the slave has not executed. A command without
+    /// optional fields replaces it.
+    [[nodiscard]] static constexpr bool merges_next(std::span<const std::byte> outputs,
+                                                    std::span<const std::byte> inputs) noexcept {
+        return has_optional_fields && given(outputs) != taken(inputs);
+    }
     /// The counter in the outputs: the last command given; 0 for none.
     [[nodiscard]] static constexpr auto given(std::span<const std::byte> outputs) noexcept {
         typename CommandTable::image_type image{};
@@ -142,13 +146,14 @@ class image_exchange {
   private:
     using count_field = typename CommandTable::counter_row::counts_messages;
 
-    // A command without optional elements replaces the one before.
+    static constexpr bool has_optional_fields = !std::is_void_v<typename CommandTable::presence_row>;
+
     [[nodiscard]] static constexpr result<void, translate::errc> merge(std::span<const std::byte> body,
                                                                        std::span<std::byte> outputs) noexcept {
-        if constexpr (std::is_void_v<typename CommandTable::presence_row>)
-            return command::to_image(body, outputs);
-        else
+        if constexpr (has_optional_fields)
             return command::merge(body, outputs);
+        else
+            return command::to_image(body, outputs);
     }
 
     struct waiting {

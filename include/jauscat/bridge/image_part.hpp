@@ -71,6 +71,9 @@ template <class Commands, class Reports> class image_part_of<Commands, Reports, 
         number_ += static_cast<counter>(exchange::given(slave.outputs) - static_cast<counter>(number_));
         return number_;
     }
+    [[nodiscard]] bool merges_next(slave_group slaves) const override {
+        return exchange::merges_next(slaves.front().outputs, slaves.front().inputs);
+    }
     std::uint32_t stop(stop_order, slave_group slaves) override {
         if (slaves.front().outputs.empty()) return number_;
         return command({}, rest(), slaves, {}).value_or(number_); // `start` has tried it

@@ -81,6 +81,8 @@ class process_channel {
     /// There is room, and no stop order waits.
     [[nodiscard]] JAUSCAT_FUNCTION result<std::uint32_t, translate::errc> command(const jaus::header& head, bytes body,
                                                                                   duration limit, time_point now);
+    /// See process_part::merges_next.
+    [[nodiscard]] bool merges_next() { return part_.merges_next(slaves()); }
     /// The outputs are at rest, and no command follows: to be repeated where the slaves are to confirm it.
     [[nodiscard]] bool has_rest_outputs() const noexcept { return has_rest_outputs_; }
     /// A stop order that waits for its execution.

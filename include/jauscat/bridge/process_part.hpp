@@ -94,6 +94,8 @@ class process_part {
     /// outputs: as the translation has them.
     [[nodiscard]] virtual result<std::uint32_t, translate::errc>
     command(const jaus::header& head, std::span<const std::byte> body, slave_group slaves, time_point now) = 0;
+    /// Whether `command` merges the next command with the one before, which the slaves have not executed.
+    [[nodiscard]] virtual bool merges_next([[maybe_unused]] slave_group slaves) const { return false; }
     /// Commands wait until the slaves can execute them, as until brakes are open: the time for their execution begins
     /// when this has ended. The part bounds it.
     [[nodiscard]] virtual bool is_preparing() const { return false; }

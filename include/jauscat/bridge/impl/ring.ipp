@@ -1137,9 +1137,12 @@ JAUSCAT_FUNCTION std::optional<refusal_reason> ring::put_command(component& unit
                                                                  const jaus::header& head, bytes body, time_point now,
                                                                  jaus::message_sink out) {
     if (const auto first = process.make_room()) unit.on_not_executed(*first, {.why = refusal::superseded}, now, out);
+    const auto& watcher = unit.front().watcher();
+    const bool is_merged = watcher.merged && process.merges_next();
     const auto number = process.command(head, body, unit.front().timing().data_limit, now);
     if (!number) return refusal_reason{.why = refusal::not_translated, .error = number.error()};
-    unit.front().watcher().into_image(unit.front(), *number, unit.front().data().outputs);
+    watcher.into_image(unit.front(), *number, unit.front().data().outputs);
+    if (is_merged) watcher.merged(unit, head);
     return std::nullopt;
 }
 
