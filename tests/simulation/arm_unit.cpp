@@ -21,7 +21,8 @@ void arm_unit::on_time(time now) {
     application_->set_station(slave_->station_address());
     if (now >= work_at_ || slow_ == time{}) {
         work_at_ = now + slow_;
-        slave_->work();
+        const auto answers_at = slow_ == time{} ? 0 : answer_delay_; // a slow one takes this time for all of a message
+        for (std::uint32_t i = 0; i <= answers_at; ++i) slave_->work();
     }
     slave_->on_time(jauscat::time_point{now});
     watch_->look(*slave_, jauscat::time_point{now}); // first: the inputs say what is in force then

@@ -5,6 +5,7 @@
 #include "arm_process_data.hpp"
 #include "arm_watch.hpp"
 #include "simulation/device.hpp"
+#include "simulation/direct_object.hpp"
 #include "simulation/messages.hpp"
 #include "support/arm_slave.hpp"
 #include <jauscat/bridge/listed_objects.hpp>
@@ -27,9 +28,12 @@ class arm_unit final : public device {
   public:
     static constexpr std::uint8_t subsystem = 2;
 
-    arm_unit(std::uint32_t serial, std::function<void(command_number)> moved) : moved_{std::move(moved)} {
+    /// `answer_delay`: see coe_options.
+    arm_unit(std::uint32_t serial, std::function<void(command_number)> moved, std::uint32_t answer_delay)
+        : moved_{std::move(moved)}, answer_delay_{answer_delay}, direct_{objects_, serial, now_} {
         description_.serial = serial;
-        slave_.emplace(description_, dictionary_, ethercat::coe_options{.transfer_memory = memory_});
+        slave_.emplace(description_, dictionary_,
+                       ethercat::coe_options{.transfer_memory = memory_, .answer_delay = answer_delay});
         power_on({});
     }
 
@@ -38,6 +42,7 @@ class arm_unit final : public device {
 
     [[nodiscard]] ethercat::slave& slave() noexcept override { return *slave_; }
     [[nodiscard]] const ethercat::slave& slave() const noexcept override { return *slave_; }
+    [[nodiscard]] const direct_object& direct() const noexcept { return direct_; }
     [[nodiscard]] bool in_emergency() const noexcept { return emergency_; }
     /// When its supply came, or it last took zero efforts or Set Emergency by mailbox.
     [[nodiscard]] time told_to_rest_at() const noexcept { return told_to_rest_at_; }
@@ -73,6 +78,7 @@ class arm_unit final : public device {
     static constexpr std::chrono::milliseconds command_timeout{450}; // that of robot_arm
 
     std::function<void(command_number)> moved_;
+    std::uint32_t answer_delay_;
     std::optional<example::arm> arm_{};
     std::optional<application> application_{};
     std::optional<example::arm_process_data> process_data_{};
@@ -88,7 +94,8 @@ class arm_unit final : public device {
         return made;
     }();
     bridging::listed_objects objects_{application::objects, *this, bridging::size_rule::up_to_largest};
-    ethercat::standard_objects dictionary_{description_, objects_};
+    direct_object direct_;
+    ethercat::standard_objects dictionary_{description_, direct_};
     std::array<std::byte, 4096> memory_{};
     std::optional<ethercat::slave> slave_{};
 };

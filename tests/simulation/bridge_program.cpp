@@ -186,6 +186,10 @@ struct bridge_program::life_data {
 bridge_program::bridge_program(world& w, network& n, model& m, const std::vector<place>& places, ring& wire,
                                const bridge_settings& what)
     : process{w, n, "bridge"}, model_{m}, places_{places}, wire_{wire}, settings_{what} {
+    if (what.is_shared) {
+        wire.share();
+        application_.emplace(w, wire, *this, number(), to_give_up);
+    }
     places_of_slaves_.resize(wire.size());
     for (std::size_t i = 0; i != what.units.size(); ++i) {
         const auto& one = what.units[i];
@@ -232,6 +236,10 @@ ring_times bridge_settings::times(const unit_settings& of) const {
 void bridge_program::boot() {
     data_ = std::make_unique<life_data>(*this);
     data_->bus.emplace(data_->options);
+    if (application_) {
+        application_->start();
+        data_->bus->share(application_->jobs());
+    }
     for (std::size_t i = 0; i != accounts_.size(); ++i) {
         auto& one = data_->units.emplace_back(*this, i, data_->observer());
         one.watched.seen_in = [this, &one, i](const jaus::header& head) {
@@ -325,6 +333,13 @@ void bridge_program::look_after(unit& one) {
 
 // SIGTERM: the program brings its actuators to rest and ends, within a second whatever they say.
 void bridge_program::own_event(std::uint8_t what, std::uint32_t argument) {
+    if (what == to_give_up) {
+        if (running() && application_->gives_up(argument) && data_->bus->cancel_shared()) {
+            pump();
+            rearm();
+        }
+        return;
+    }
     if (argument != life() || !data_) return;
     if (what == to_kill) {
         if (!running()) return world_.in(milliseconds{10}, *this, to_kill, argument);

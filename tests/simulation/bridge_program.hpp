@@ -1,6 +1,7 @@
 // The program with the bridge: components, a JAUS node for each, and the ring with their slaves.
 #pragma once
 
+#include "simulation/direct_user.hpp"
 #include "simulation/model.hpp"
 #include "simulation/node_program.hpp"
 #include "simulation/ring.hpp"
@@ -40,6 +41,7 @@ struct bridge_settings {
     std::vector<unit_settings> units{};
     time period{std::chrono::milliseconds{10}};
     bool has_clocks{};     ///< drives have SYNC signals, each period
+    bool is_shared{};      ///< its application uses the master, too
     bool checks_serials{}; ///< a slave at the place of another is not brought up
     [[nodiscard]] bridging::bridge_options options(const unit_settings& of) const;
     [[nodiscard]] ring_times times(const unit_settings& of) const;
@@ -67,7 +69,7 @@ class bridge_program final : public process, public frame_user {
     void own_event(std::uint8_t what, std::uint32_t argument) override;
 
   private:
-    enum : std::uint8_t { to_end = first_own_event, to_kill };
+    enum : std::uint8_t { to_end = first_own_event, to_kill, to_give_up };
     struct unit;
     struct life_data;
 
@@ -83,6 +85,7 @@ class bridge_program final : public process, public frame_user {
     std::vector<std::unique_ptr<side_port>> side_ports_{};
     std::vector<std::uint8_t> accounts_{};
     std::vector<std::pair<std::uint8_t, std::size_t>> places_of_slaves_{}; ///< account and first axis of each
+    std::optional<direct_user> application_{};
     std::unique_ptr<life_data> data_{};
     std::array<std::byte, ethercat::max_frame_size> frame_{};
 };

@@ -89,6 +89,7 @@ struct ring_place {
     std::uint8_t last_reply_recount{}; ///< a message that is asked for again is the same
     time unfrozen_at{}, restarted_at{}, passed_at{};
     time disturbed_at{}; ///< when something last happened to it that may delay a stop order
+    time given_up_at{};  ///< when a transfer of others than the bridge was given up
     time missed_at{};    ///< when a frame was last lost before it
     ethercat::al_state told_state{};
     std::optional<time> unreachable_since{}, left_state_since{}, taken_since{}, unknown_since{};
@@ -102,7 +103,7 @@ class ring final : public actor {
         : world_{w}, moved_{std::move(moved)}, is_rough_{is_rough} {}
 
     /// The next slave; before `start`.
-    void add_arm(std::string name, std::uint16_t station, bool cyclic);
+    void add_arm(std::string name, std::uint16_t station, bool cyclic, std::uint32_t answer_delay);
     /// `first_joint`: the number in its arm of the first of 1 or 2 axes.
     void add_drive(std::string name, std::uint16_t station, std::size_t axes, std::size_t first_joint,
                    const std::optional<ethercat::clock_error>& clock);
@@ -110,9 +111,14 @@ class ring final : public actor {
         return 1000 + static_cast<std::uint32_t>(i);
     }
     void start(frame_user& user);
+    /// Others than the bridge transfer objects, too; before `start`.
+    void share() noexcept { is_shared_ = true; }
+    /// One of their transfers was given up: the next one waits for its answer.
+    void given_up(std::size_t i) noexcept { places_[i].given_up_at = world_.now(); }
 
     void send(bytes frame);
 
+    [[nodiscard]] bool is_rough() const noexcept { return is_rough_; }
     [[nodiscard]] std::size_t size() const noexcept { return places_.size(); }
     [[nodiscard]] const ring_place& operator[](std::size_t i) const noexcept { return places_[i]; }
     /// Whatever is wrong with a slave for longest; nothing where it can be commanded, and stops by itself if it is not.
@@ -157,6 +163,7 @@ class ring final : public actor {
     world& world_;
     std::function<void(std::size_t, std::size_t, command_number)> moved_;
     bool is_rough_;
+    bool is_shared_{};
     bool has_clocks_{};
     std::array<time, 64> frames_disturbed_at_{};
     std::size_t disturbed_frames_{};

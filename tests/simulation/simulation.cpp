@@ -164,6 +164,7 @@ class bridge_system {
             made.has_clocks = kind == system_kind::clocks;
             if (made.has_clocks) made.period = std::chrono::milliseconds{2 + 3 * random.below(2)};
         }
+        made.is_shared = what.seed % 8 == 7; // none of seeds.txt
         add_slaves(made, random);
         for (const auto& each : made.units) {
             const auto node = station_of(each.slaves.front());
@@ -219,12 +220,14 @@ class bridge_system {
         const auto& all = what.units;
         const auto count = std::accumulate(all.begin(), all.end(), std::size_t{},
                                            [](std::size_t sum, const auto& each) { return sum + each.slaves.size(); });
+        // Frames for which an answer is late, so that one may come after its transfer was given up.
+        const auto answer_delay = what.is_shared ? static_cast<std::uint32_t>(random.below(5)) : 0;
         for (std::size_t i = 0; i != count; ++i) {
             const auto whose = std::ranges::find_if(
                 all, [i](const unit_settings& each) { return std::ranges::count(each.slaves, i) != 0; });
             const auto place = std::ranges::find(whose->slaves, i) - whose->slaves.begin();
             if (whose->axes == 0)
-                wire_.add_arm("arm " + std::to_string(i), station_of(i), whose->cyclic);
+                wire_.add_arm("arm " + std::to_string(i), station_of(i), whose->cyclic, answer_delay);
             else
                 wire_.add_drive("drive " + std::to_string(i), station_of(i), whose->axes,
                                 static_cast<std::size_t>(place) * whose->axes,

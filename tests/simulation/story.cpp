@@ -98,6 +98,12 @@ std::string text_of(const happening& one, const std::vector<std::string>& names)
     case deed::ignores_report:
         return name(one.who) + " ignores report " + std::to_string(one.number) + " of " + name(one.whom) +
                ", because it has a newer one";
+    case deed::begins_transfer:
+        return name(one.who) + ": transfer " + std::to_string(one.value) + " of its application " + one.why +
+               " subindex " + std::to_string(one.number) + " of " + name(one.whom);
+    case deed::ends_transfer:
+        return name(one.who) + ": transfer " + std::to_string(one.value) + " of its application, to " + name(one.whom) +
+               ", " + one.why;
     case deed::is_ended: return name(one.who) + " is told to end (SIGTERM)";
     case deed::person: return "a person ends the emergency at " + name(one.who);
     case deed::ring: return ring_text(one, names);

@@ -48,6 +48,8 @@ enum class deed : std::uint8_t {
     hears_of,           ///< the node hears somebody new; value: the address
     connects,           ///< a consumer, to the reports of `whom`; value: consumed_state
     ignores_report,     ///< a consumer, of `whom`; number: its sequence number
+    begins_transfer,    ///< its own, to `whom`; number: subindex, value: which one, why: reads or writes
+    ends_transfer,      ///< value: which one, why: how
     is_ended,           ///< is told to end (SIGTERM)
     person,             ///< ends the emergency at the machine
     ring,               ///< something of EtherCAT; number: which (ring_deed), value
