@@ -91,6 +91,15 @@ TEST_CASE("each kind of fault of joints occurs, and each check of them compares 
     }
 }
 
+TEST_CASE("an application beside the bridge gets the answers of its own transfers") {
+    for (const auto system : {system_kind::mailbox, system_kind::cyclic, system_kind::robot}) {
+        const auto result = run({.seed = 7, .length = 20s, .system = system});
+        CHECK_FALSE(result.broken);
+        CHECK(result.compared[static_cast<std::size_t>(comparison::direct_upload)] > 10);
+        CHECK(result.compared[static_cast<std::size_t>(comparison::direct_download)] > 10);
+    }
+}
+
 TEST_CASE("events of one instant are executed in the order in which they were added") {
     struct listener final : actor {
         std::vector<std::uint32_t> heard{};
@@ -151,6 +160,10 @@ TEST_CASE("a story says what was queued, merged and dropped, and which stops it 
     CHECK(text({.what = deed::loses_slave, .who = 1, .whom = 3, .why = "it does not answer"}) ==
           "arm counts slave as lost, because it does not answer");
     CHECK(text({.what = deed::hears_of, .who = 1, .value = 0x02010000}) == "arm is told that 2.1.0.0 is there");
+    CHECK(text({.what = deed::begins_transfer, .who = 1, .whom = 3, .number = 2, .value = 9, .why = "reads"}) ==
+          "arm: transfer 9 of its application reads subindex 2 of slave");
+    CHECK(text({.what = deed::ends_transfer, .who = 1, .whom = 3, .value = 9, .why = "is given up"}) ==
+          "arm: transfer 9 of its application, to slave, is given up");
     CHECK(text({.what = deed::connects, .who = 1, .whom = 2, .value = 3}) ==
           "arm: its connection to operator is stale: requested again");
     CHECK(text({.what = deed::ignores_report, .who = 1, .whom = 2, .number = 7}) ==
