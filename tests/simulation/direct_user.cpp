@@ -107,7 +107,7 @@ void direct_user::check_download() {
     breaks("a confirmed value is that of the slave", "the confirmation of another download");
 }
 
-void direct_user::breaks(std::string expected, std::string found) {
+void direct_user::breaks(const std::string& expected, std::string found) {
     world_.breaks({.point = contract::s7,
                    .who = number_,
                    .whom = wire_[open_->slave].number,

@@ -37,7 +37,7 @@ class direct_user {
     void done(ethercat::master& idle);
     void check_upload(bytes answer);
     void check_download();
-    void breaks(std::string expected, std::string found);
+    void breaks(const std::string& expected, std::string found);
     [[nodiscard]] time some_deadline();
 
     world& world_;

@@ -130,7 +130,7 @@ operation_ptr<Results...> make_operation(Handler handler, Convert convert,
 #endif
     // Not make_shared: that is thirty functions more for each handler.
     using made_type = handler_operation<Handler, Convert, Results...>;
-    const operation_ptr<Results...> made{
+    operation_ptr<Results...> made{
         static_cast<operation<Results...>*>(new made_type(std::move(handler), convert, executor))};
 #if BOOST_VERSION >= 107700
     if (slot.is_connected())
