@@ -148,6 +148,7 @@ TEST_CASE("of waiting commands with one sender and code only the newest is kept,
     CHECK(r.is_refused(second));
     CHECK(r.is_acknowledged(third));
     CHECK(r.watcher.refusals == std::vector{bridging::refusal::superseded});
+    CHECK(r.watcher.merged_numbers == std::vector{third});
     REQUIRE(r.motor().efforts.size() >= 2);
     CHECK(r.motor().efforts.back() == Approx(30).margin(0.01));
 }

@@ -105,8 +105,9 @@ struct observer {
     jaus::hook<void(const slave_front& slave, std::span<const std::byte> packet)> asks_report{};
     /// A command or a stop order went to the process data, with this number; `outputs` are those of the first slave.
     jaus::hook<void(const slave_front& slave, std::uint32_t count, std::span<const std::byte> outputs)> into_image{};
-    /// Of that command only the fields that it carries: the slave has not executed the one before, whose other fields
-    /// stay in the outputs.
+    /// A command is merged with the one before, which the slave has not executed: fields that only the earlier one
+    /// carries are executed with it. In the queue, which refuses the earlier one; or in the outputs, after
+    /// `into_image`.
     jaus::hook<void(const component& unit, const jaus::header& message)> merged{};
     /// A query was answered from the inputs.
     jaus::hook<void(const slave_front& slave, std::span<const std::byte> inputs)> from_image{};

@@ -131,8 +131,11 @@ JAUSCAT_FUNCTION jaus::message_outcome component::accept(jaus::header head, byte
     switch (front_.orders().push(message, body, superseded, places_of_others())) {
     case queued::full: return refuse(refusal::queue_full);
     case queued::too_large: return refuse(refusal::too_large);
-    default: front_.wake(); return jaus::message_outcome::deferred;
+    case queued::merged: front_.watcher().merged(*this, head); break;
+    case queued::last: break;
     }
+    front_.wake();
+    return jaus::message_outcome::deferred;
 }
 
 JAUSCAT_FUNCTION std::size_t component::places_of_others() const noexcept {
