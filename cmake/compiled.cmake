@@ -1,7 +1,11 @@
 # The target jauscat::compiled: jauscat::net, and what of it is no template compiled once, by the project that uses it.
-# SOURCES is the folder of src/. Users of the target have JAUSCAT_SEPARATE_COMPILATION defined.
+# SOURCES is the folder of src/. JAUSCAT_COMPILED_WITHOUT, a list such as "jsidl;sae_links", leaves sources out that no program of a
+# build uses. Users of the target have JAUSCAT_SEPARATE_COMPILATION defined.
 function(jauscat_add_compiled sources net)
     file(GLOB files ${sources}/*.cpp)
+    foreach(source IN LISTS JAUSCAT_COMPILED_WITHOUT)
+        list(REMOVE_ITEM files ${sources}/${source}.cpp)
+    endforeach()
     add_library(jauscat_compiled STATIC EXCLUDE_FROM_ALL ${files})
     add_library(jauscat::compiled ALIAS jauscat_compiled)
     if(CMAKE_UNITY_BUILD)
