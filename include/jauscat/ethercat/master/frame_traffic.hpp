@@ -51,6 +51,8 @@ class frame_traffic {
 
     /// Whether a frame may go now.
     [[nodiscard]] bool may_send(time_point now) const noexcept { return !outstanding_.waits() && now >= next_send(); }
+    /// Whether a frame is under way.
+    [[nodiscard]] bool waits() const noexcept { return outstanding_.waits(); }
     /// The tag for the datagrams of the next frame.
     std::uint8_t next_index() noexcept { return ++index_; }
     /// `frame` is on its way.

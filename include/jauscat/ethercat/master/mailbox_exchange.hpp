@@ -34,8 +34,7 @@ concept mailbox_protocol = requires(T& protocol, std::span<std::byte> out, std::
 class mailbox_exchange {
   public:
     mailbox_exchange() noexcept = default;
-    /// Starts a message with the slave's next counter. After a request that was given up it is the one after the next:
-    /// a slave that counts its own messages may be one behind, and each of its answers would be taken for the late one.
+    /// Starts a message with the slave's next counter.
     JAUSCAT_FUNCTION explicit mailbox_exchange(slave_record& slave) noexcept;
 
     /// Sends nothing: takes what waits in the slave's mailbox, and keeps its emergencies.
@@ -53,6 +52,7 @@ class mailbox_exchange {
     void request(frame_builder& frame, const slave_record& slave, const mailbox_protocol auto& protocol) noexcept {
         asked_ = step_;
         was_refused_ = false;
+        is_writing_ = step_ == step::write;
         switch (step_) {
         case step::drain:
         case step::collect:
@@ -82,6 +82,7 @@ class mailbox_exchange {
     progress reply(const datagram_view& datagram, time_point now, const master_config& config, slave_record& slave,
                    mailbox_protocol auto& protocol) noexcept {
         if (was_refused_) step_ = asked_; // another copy
+        is_writing_ = false;
         const auto next = advance(datagram, slave, protocol);
         if (was_refused_ && asked_ == step::write && config.frames_may_be_copied) unsure_ = true; // a copy may be taken
         const auto own = std::chrono::nanoseconds{slave.timeouts.mailbox};
@@ -99,6 +100,9 @@ class mailbox_exchange {
 
     /// The request is given up; its answer may still come and is not to be taken for another's.
     JAUSCAT_FUNCTION void abandon(slave_record& slave) const noexcept;
+
+    /// The slave has taken the request, or may have: a write is under way, or its reply was lost.
+    [[nodiscard]] bool has_asked() const noexcept { return accepted_ || unsure_ || is_writing_; }
 
   private:
     enum class step : std::uint8_t {
@@ -186,12 +190,8 @@ class mailbox_exchange {
         const auto before = slave.last_reply_mark;
         const auto reply = open(data, slave);
         const auto& header = reply.header;
-        // Slaves may count on their own, so only two counters say for sure that a message is an old one.
-        const bool again = repeated_ && slave.last_reply_mark == before;
-        const bool abandoned = header.counter == slave.abandoned_counter && header.counter != slave.last_counter;
-        if (header.counter != 0 && again) return progress::send;
+        if (header.counter != 0 && repeated_ && slave.last_reply_mark == before) return progress::send;
         note_emergency(reply, slave);
-        if (header.counter != 0 && abandoned) return progress::send;
         if (!accepted_ && !unsure_) return progress::send; // nothing was asked yet
 
         if (header.type == mailbox_type::error) {
@@ -201,7 +201,7 @@ class mailbox_exchange {
         }
         const auto meaning = header.type == mailbox_type::coe ? protocol.take(reply.message) : reply_kind::unrelated;
         if (meaning == reply_kind::unrelated) return progress::send;
-        slave.abandoned_counter = 0; // a slave answers in order: what was given up cannot come any more
+        slave.awaits_late_answer = false; // a slave answers in order: what was given up cannot come any more
         timeout_.renew();
         if (meaning == reply_kind::fragment) return progress::send;
         result_ = protocol.result(); // ok where another request follows
@@ -209,10 +209,12 @@ class mailbox_exchange {
     }
 
     step step_{};
-    step resume_{}; // the read that was lost
+    step resume_{};                 // the read that was lost
+    std::uint8_t counter_before_{}; // of the slave's last request
     bool asks_{true};
     bool may_write_{true}; // no request that was given up waits in the slave's mailbox
     bool accepted_{};      // the slave has taken the request
+    bool is_writing_{};    // the request is under way
     bool unsure_{};        // the slave may have taken it: the reply to a write was lost
     bool repeat_{};        // the repeat request bit that was sent
     step asked_{};         // the step of the last frame

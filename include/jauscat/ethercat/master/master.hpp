@@ -79,6 +79,9 @@ class master {
     /// Gives the job up with `error`: its deadline has passed, or the link does not take frames. A transfer that the
     /// slave has open is aborted before the next one.
     JAUSCAT_FUNCTION void cancel(master_errc error) noexcept;
+    /// Gives a transfer up with `error` as if it had not begun. False where the slave has taken a message of it, or may
+    /// have, or a frame is under way: the transfer goes on.
+    JAUSCAT_FUNCTION bool withdraw(master_errc error) noexcept;
 
     /// Whether no job runs, so that one may be started.
     [[nodiscard]] bool idle() const noexcept { return !runs_; }

@@ -89,13 +89,13 @@ struct slave_record {
     process_place process_data{}; ///< after `configure`
     /// Without outputs for so long, the slave leaves OP: set by `configure`; 0: not yet since it was brought up.
     std::chrono::nanoseconds watchdog{};
-    al_status al{};                   ///< as the last `check` has found it; state 0: it failed
-    bool reply_waiting{};             ///< at the last `check` its reply mailbox was full: collect its emergencies
-    std::uint8_t last_counter{};      ///< of the last mailbox request; 0: none yet
-    std::uint32_t last_reply_mark{};  ///< of the last mailbox message received: distinguishes it from the next one
-    std::uint8_t abandoned_counter{}; ///< of an abandoned request: its answer may still arrive
-    bool drained{};                   ///< no old message waits in the reply mailbox
-    bool is_lent{};                   ///< another master uses the mailbox: transfers of this one wait
+    al_status al{};                  ///< as the last `check` has found it; state 0: it failed
+    bool reply_waiting{};            ///< at the last `check` its reply mailbox was full: collect its emergencies
+    std::uint8_t last_counter{};     ///< of the last mailbox request; 0: none yet
+    std::uint32_t last_reply_mark{}; ///< of the last mailbox message received: distinguishes it from the next one
+    bool awaits_late_answer{};       ///< a request was abandoned: its answer may still arrive
+    bool drained{};                  ///< no old message waits in the reply mailbox
+    bool is_lent{};                  ///< another master uses the mailbox: transfers of this one wait
     /// Pending abort of a cancelled segmented transfer; sent before the next transfer.
     std::optional<sdo_abort> unfinished{};
     slave_timeouts timeouts{};   ///< `master::set_timeouts`

@@ -2,15 +2,17 @@
 #pragma once
 #include <jauscat/ethercat/master/mailbox_exchange.hpp>
 
+#include <utility>
+
 namespace jauscat::ethercat {
 
 JAUSCAT_FUNCTION mailbox_exchange::mailbox_exchange(slave_record& slave) noexcept
-    : step_{slave.abandoned_counter != 0 ? step::look_taken
-            : slave.drained              ? step::write
-                                         : step::drain},
-      may_write_{slave.abandoned_counter == 0} {
+    : step_{slave.awaits_late_answer ? step::look_taken
+            : slave.drained          ? step::write
+                                     : step::drain},
+      counter_before_{slave.last_counter},
+      may_write_{!slave.awaits_late_answer} {
     slave.last_counter = after(slave.last_counter);
-    if (slave.abandoned_counter != 0) slave.last_counter = after(slave.last_counter);
 }
 
 JAUSCAT_FUNCTION mailbox_exchange mailbox_exchange::collect() noexcept {
@@ -26,7 +28,7 @@ JAUSCAT_FUNCTION bool mailbox_exchange::is_repeatable() const noexcept {
 
 JAUSCAT_FUNCTION void mailbox_exchange::lost(slave_record& slave) noexcept {
     slave.drained = false;
-    if (step_ == step::write) unsure_ = true;
+    if (std::exchange(is_writing_, false)) unsure_ = true;
     if (is_repeatable()) return;
     resume_ = step_;
     step_ = step::look;
@@ -34,7 +36,11 @@ JAUSCAT_FUNCTION void mailbox_exchange::lost(slave_record& slave) noexcept {
 
 JAUSCAT_FUNCTION void mailbox_exchange::abandon(slave_record& slave) const noexcept {
     slave.drained = false;
-    if (asks_) slave.abandoned_counter = slave.last_counter;
+    if (!asks_) return;
+    if (has_asked())
+        slave.awaits_late_answer = true;
+    else
+        slave.last_counter = counter_before_; // a slave may drop a message with the counter of the one before
 }
 
 JAUSCAT_FUNCTION progress mailbox_exchange::go(step next) noexcept {

@@ -19,6 +19,16 @@ JAUSCAT_FUNCTION void master::cancel(master_errc error) noexcept {
     finish(ended);
 }
 
+JAUSCAT_FUNCTION bool master::withdraw(master_errc error) noexcept {
+    if (idle() || frames_.waits()) return false;
+    bool has_asked = true;
+    with_machine([&](auto& machine) {
+        if constexpr (requires { machine.has_asked(); }) has_asked = machine.has_asked();
+    });
+    if (!has_asked) cancel(error);
+    return !has_asked;
+}
+
 JAUSCAT_FUNCTION bool master::lend(std::uint16_t station, master& other) noexcept {
     auto* const slave = ring_.slaves.find(station);
     if (slave == nullptr) return false;

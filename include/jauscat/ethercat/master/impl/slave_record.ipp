@@ -30,7 +30,7 @@ JAUSCAT_CONSTEXPR std::uint32_t process_place::end() const noexcept {
 JAUSCAT_CONSTEXPR void slave_record::return_mailbox(const slave_record& from) noexcept {
     last_counter = from.last_counter;
     last_reply_mark = from.last_reply_mark;
-    abandoned_counter = from.abandoned_counter;
+    awaits_late_answer = from.awaits_late_answer;
     drained = from.drained;
     unfinished = from.unfinished;
     emergencies = from.emergencies;
