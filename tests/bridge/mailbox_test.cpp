@@ -1,5 +1,7 @@
 // Messages and stop orders by mailbox.
 #include "rig.hpp"
+#include "support/hex.hpp"
+#include <jauscat/ethercat/frame_builder.hpp>
 
 using namespace test;
 using jaus::ack_nak;
@@ -341,6 +343,95 @@ TEST_CASE("a component that gets free control does not inherit waiting commands 
     r.run_until([&] { return r.is_acknowledged(own); });
     CHECK(r.motor().effort > 19);
     CHECK(std::ranges::max(r.motor().efforts) < 21);
+}
+
+namespace {
+
+/// Another user's question is in the slave's mailbox, and its application hangs: the next message has to wait.
+void fill_mailbox(rig& r) {
+    r.actuators[0].hangs = true;
+    std::array<std::byte, ethercat::max_frame_size> frame{};
+    ethercat::frame_builder builder{frame};
+    const auto mail = builder.add(ethercat::command::fpwr, 2, 0x1000, std::size_t{256});
+    std::ranges::copy(jauscat::test::from_hex("0a00 0000 00 73 0020 40 0010 00 00000000"), mail.begin());
+    r.actuators[0].pass(*builder.finish(), r.now);
+}
+
+} // namespace
+
+TEST_CASE("a command that waits for room in the slave's mailbox is withdrawn when another component gets control") {
+    rig r{rig::ready{}};
+    fill_mailbox(r);
+    const auto number = r.drive(50);
+    r.run(5ms);
+    REQUIRE_FALSE(r.answer(number));
+    r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none, rig::stranger);
+    r.run_until([&] { return r.is_refused(number); }, 1ms);
+    CHECK(r.watcher.refusals == std::vector{bridging::refusal::stopped});
+    const auto own =
+        r.tell(jaus::set_wrench_effort{.propulsive_linear_effort_x = 20}, 0, ack_nak::request, rig::stranger);
+    r.run(5ms);
+    r.actuators[0].hangs = false;
+    r.run_until_acknowledged(own, 5ms);
+    r.run(100ms);
+    CHECK(std::ranges::max(r.motor().efforts) < 21);
+    CHECK(r.motor().effort > 19);
+    CHECK(r.watcher.lost == 0);
+}
+
+TEST_CASE("the controller's command that waits for room in the slave's mailbox is kept when it gets control") {
+    rig r{rig::ready{}};
+    fill_mailbox(r);
+    const auto number = r.drive(50);
+    r.run(5ms);
+    r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
+    r.run(5ms);
+    CHECK_FALSE(r.answer(number));
+    r.actuators[0].hangs = false;
+    r.run_until_acknowledged(number, 5ms);
+}
+
+TEST_CASE("a query that waits for room in the slave's mailbox is not withdrawn") {
+    rig r{rig::ready{}};
+    fill_mailbox(r);
+    r.tell(jaus::query_wrench_effort{.presence_vector = 1}, 0, ack_nak::none);
+    r.run(5ms);
+    r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none, rig::stranger);
+    r.run(5ms);
+    r.actuators[0].hangs = false;
+    r.run_until([&] { return !r.received<jaus::report_wrench_effort>().empty(); }, 5ms);
+}
+
+TEST_CASE("a command that waits for room in the slave's mailbox does not move it after a Standby") {
+    rig r{rig::ready{}};
+    fill_mailbox(r);
+    const auto number = r.drive(50);
+    r.run(5ms);
+    const auto standby = r.tell(jaus::standby{});
+    r.run_until([&] { return r.is_refused(number); }, 1ms);
+    r.run(5ms);
+    r.actuators[0].hangs = false;
+    r.run_until_acknowledged(standby, 5ms);
+    r.run(100ms);
+    CHECK(std::ranges::max(r.motor().efforts) == 0);
+    CHECK(r.watcher.lost == 0);
+}
+
+TEST_CASE("whether a command is withdrawn that is just written to the slave's mailbox is decided by the reply") {
+    for (const bool is_taken : {true, false}) {
+        rig r{rig::ready{}};
+        r.round_trip = 2ms;
+        if (!is_taken) fill_mailbox(r);
+        const auto number = r.drive(50);
+        r.run(1ms);
+        r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none, rig::stranger);
+        r.actuators[0].hangs = false;
+        r.run_until([&] { return r.answer(number).has_value(); }, 10ms);
+        r.run(100ms);
+        CHECK(r.is_acknowledged(number) == is_taken);
+        CHECK((std::ranges::max(r.motor().efforts) > 49) == is_taken);
+        CHECK(r.watcher.lost == 0);
+    }
 }
 
 TEST_CASE("Standby is acknowledged when the slave is stopped, and no waiting message moves it afterwards") {

@@ -150,11 +150,12 @@ class component {
     // Executes what the hooks of the core have requested and what needs `out`.
     JAUSCAT_FUNCTION void follow_up(time_point now, jaus::message_sink out);
     void drop_motion(time_point now, jaus::message_sink out, auto&& is_unwanted) {
+        const auto is_dropped = [&](const order& each) {
+            return each.unit == this && !is_query(each.header) && is_unwanted(each.header.source);
+        };
         front_.orders().remove_if(
-            [&](const order& each) {
-                return each.unit == this && !is_query(each.header) && is_unwanted(each.header.source);
-            },
-            [&](const order& each) { on_not_executed(each.header, {.why = refusal::stopped}, now, out); });
+            is_dropped, [&](const order& each) { on_not_executed(each.header, {.why = refusal::stopped}, now, out); });
+        if (const auto& carried = front_.carried(); carried && is_dropped(*carried)) front_.withdraw_carried();
     }
 
     slave_front& front_;

@@ -36,6 +36,7 @@ class message_lane {
     /// How that has ended.
     struct outcome {
         bool is_done{};
+        bool was_withdrawn{};                ///< the slave has got nothing of it
         std::span<const std::byte> report{}; ///< of a query
         ethercat::master_error error{};
     };
@@ -72,6 +73,8 @@ class message_lane {
     // A request packet is executed by the master; any other step ends the exchange.
     JAUSCAT_FUNCTION void take_step(const exchange_step& step);
     JAUSCAT_FUNCTION void confirm();
+    // An order that is not to be sent any more, unless the slave has taken it or may have.
+    JAUSCAT_FUNCTION void withdraw();
     JAUSCAT_FUNCTION void end(const exchange_step& step, const ethercat::master_error& error);
     JAUSCAT_FUNCTION void tell(std::span<const std::byte> packet) const;
 

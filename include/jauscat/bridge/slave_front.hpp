@@ -1,4 +1,4 @@
-// Interface between a slave and its components: presence, queued messages.
+// Interface between a slave and its components: presence, queued messages, the one on its way.
 #pragma once
 #include <jauscat/bridge/any_exchange.hpp>
 #include <jauscat/bridge/bridge_options.hpp>
@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 
 namespace jauscat::bridging {
@@ -48,6 +49,15 @@ class slave_front {
     [[nodiscard]] const observer& watcher() const noexcept { return watcher_; }
     [[nodiscard]] order_queue& orders() noexcept { return orders_; }
     [[nodiscard]] const order_queue& orders() const noexcept { return orders_; }
+    /// The message that has left the queue for the slave's mailbox, until the slave has answered.
+    [[nodiscard]] const std::optional<order>& carried() const noexcept { return carried_; }
+    void set_carried(const std::optional<order>& message) noexcept {
+        carried_ = message;
+        is_withdrawn_ = false;
+    }
+    /// It is not to be sent any more.
+    void withdraw_carried() noexcept { is_withdrawn_ = carried_.has_value(); }
+    [[nodiscard]] bool is_withdrawn() const noexcept { return is_withdrawn_; }
     [[nodiscard]] std::span<component* const> components() const noexcept {
         return std::span{components_}.first(component_count_);
     }
@@ -69,6 +79,8 @@ class slave_front {
     const bridge_options& timing_;
     observer watcher_;
     order_queue orders_;
+    std::optional<order> carried_{};
+    bool is_withdrawn_{};
     std::array<component*, component_capacity> components_{};
     std::size_t component_count_{};
     bool up_{};

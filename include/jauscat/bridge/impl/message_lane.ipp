@@ -10,6 +10,7 @@ JAUSCAT_FUNCTION void message_lane::begin(const task& what, std::size_t size, et
     options_ = options;
     is_busy_ = true;
     outcome_.reset();
+    what.front->set_carried(what.what == purpose::order ? std::optional{what.message} : std::nullopt);
     if (!owner.lend(what.front->station(), master_))
         return end({}, {.code = ethercat::master_errc::wrong_station, .station = what.front->station()});
     if (what.what == purpose::emergencies) {
@@ -21,6 +22,7 @@ JAUSCAT_FUNCTION void message_lane::begin(const task& what, std::size_t size, et
 
 JAUSCAT_FUNCTION bool message_lane::advance() {
     if (!is_busy_) return false;
+    if (task_.front->is_withdrawn()) withdraw();
     while (!outcome_ && master_.idle()) {
         if (task_.what == purpose::emergencies)
             end({.what = exchange_progress::done}, master_.error());
@@ -32,6 +34,7 @@ JAUSCAT_FUNCTION bool message_lane::advance() {
 
 JAUSCAT_FUNCTION message_lane::outcome message_lane::take_outcome(ethercat::master& owner) {
     owner.take_back(master_);
+    task_.front->set_carried({});
     is_busy_ = false;
     job_.reset();
     return *std::exchange(outcome_, std::nullopt);
@@ -40,6 +43,7 @@ JAUSCAT_FUNCTION message_lane::outcome message_lane::take_outcome(ethercat::mast
 JAUSCAT_FUNCTION void message_lane::drop(ethercat::master& owner) {
     cancel();
     owner.take_back(master_);
+    task_.front->set_carried({});
     is_busy_ = false;
     job_.reset();
     outcome_.reset();
@@ -59,9 +63,13 @@ JAUSCAT_FUNCTION void message_lane::confirm() {
     take_step(exchange().on_confirmation(std::span{confirmation_}.first(size), packet_));
 }
 
+JAUSCAT_FUNCTION void message_lane::withdraw() {
+    if (master_.withdraw(ethercat::master_errc::timeout)) outcome_ = outcome{.was_withdrawn = true};
+}
+
 JAUSCAT_FUNCTION void message_lane::end(const exchange_step& step, const ethercat::master_error& error) {
     const bool is_done = step.what == exchange_progress::done;
-    outcome_ = outcome{is_done, std::span{packet_}.first(is_done ? step.size : 0), error};
+    outcome_ = outcome{.is_done = is_done, .report = std::span{packet_}.first(is_done ? step.size : 0), .error = error};
 }
 
 JAUSCAT_FUNCTION void message_lane::tell(std::span<const std::byte> packet) const {

@@ -779,6 +779,10 @@ JAUSCAT_FUNCTION void ring::end_message(message_lane& lane, time_point now, jaus
         at.has_reply = false;
         return tell_emergencies(at);
     }
+    if (ended.was_withdrawn) {
+        task.unit->on_not_executed(task.message.header, {.why = refusal::stopped}, now, out);
+        return tell_emergencies(at);
+    }
     const auto& exchange = at.front->exchange();
     const refusal_reason why{.why =
                                  exchange.error() != translate::errc::ok ? refusal::not_translated : refusal::by_slave,
