@@ -186,10 +186,7 @@ struct bridge_program::life_data {
 bridge_program::bridge_program(world& w, network& n, model& m, const std::vector<place>& places, ring& wire,
                                const bridge_settings& what)
     : process{w, n, "bridge"}, model_{m}, places_{places}, wire_{wire}, settings_{what} {
-    if (what.is_shared) {
-        wire.share();
-        application_.emplace(w, wire, *this, number(), to_give_up);
-    }
+    if (what.is_shared) application_.emplace(w, wire, *this, number(), to_give_up);
     places_of_slaves_.resize(wire.size());
     for (std::size_t i = 0; i != what.units.size(); ++i) {
         const auto& one = what.units[i];

@@ -69,7 +69,6 @@ bool direct_user::begin(ethercat::master& idle) {
 void direct_user::done(ethercat::master& idle) {
     if (!open_) return;
     const bool is_answered = idle.error() == ethercat::master_error{};
-    if (!is_answered) wire_.given_up(open_->slave);
     world_.tell({.what = deed::ends_transfer,
                  .who = number_,
                  .whom = wire_[open_->slave].number,

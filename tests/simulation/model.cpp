@@ -570,8 +570,6 @@ void model::obeys(actuator_account& a, const sent_message* sent, command_number 
     if (arm == nullptr || !a.controller || (*a.wire)[a.axes.front().slave].cyclic) return;
     constexpr time lately = std::chrono::milliseconds{500};
     if (a.wire->frames_disturbed_at() >= sent->arrived_at || sent->arrived_at == a.controlled_since) return;
-    // Where an application has given a transfer up: the slave's answers come late, and are awaited first.
-    if ((*a.wire)[a.axes.front().slave].given_up_at != time{}) return;
     if (world_.now() - a.controlled_since < lately) world_.compares(comparison::loser_dropped);
     const auto& slave = (*a.wire)[a.axes.front().slave];
     if (*a.controller != sent->sender && slave.mailbox_written_at > a.controlled_since)

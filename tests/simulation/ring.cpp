@@ -309,7 +309,6 @@ void ring::suffer(fault kind) {
         break;
     }
     case fault::mailbox_recounted:
-        if (is_shared_) return; // all its answers may look late after a transfer was given up
         at.recount = static_cast<std::uint8_t>(random.below(7));
         tell(i, ring_deed::recounts);
         break;

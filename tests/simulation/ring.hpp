@@ -89,7 +89,6 @@ struct ring_place {
     std::uint8_t last_reply_recount{}; ///< a message that is asked for again is the same
     time unfrozen_at{}, restarted_at{}, passed_at{};
     time disturbed_at{}; ///< when something last happened to it that may delay a stop order
-    time given_up_at{};  ///< when a transfer of others than the bridge was given up
     time missed_at{};    ///< when a frame was last lost before it
     ethercat::al_state told_state{};
     std::optional<time> unreachable_since{}, left_state_since{}, taken_since{}, unknown_since{};
@@ -111,10 +110,6 @@ class ring final : public actor {
         return 1000 + static_cast<std::uint32_t>(i);
     }
     void start(frame_user& user);
-    /// Others than the bridge transfer objects, too; before `start`.
-    void share() noexcept { is_shared_ = true; }
-    /// One of their transfers was given up: the next one waits for its answer.
-    void given_up(std::size_t i) noexcept { places_[i].given_up_at = world_.now(); }
 
     void send(bytes frame);
 
@@ -163,7 +158,6 @@ class ring final : public actor {
     world& world_;
     std::function<void(std::size_t, std::size_t, command_number)> moved_;
     bool is_rough_;
-    bool is_shared_{};
     bool has_clocks_{};
     std::array<time, 64> frames_disturbed_at_{};
     std::size_t disturbed_frames_{};
