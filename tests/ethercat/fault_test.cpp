@@ -343,7 +343,7 @@ TEST_CASE(
     for (const bool counts_itself : {true, false})
         for (unsigned ahead = 0; ahead != 7; ++ahead)
             for (const bool is_lost : {true, false}) {
-                bench b;
+                bench b{{}, {.mailbox_timeout = 20ms}};
                 REQUIRE(b.bring_up());
                 unsigned own = ahead;
                 answers_of slave{b};
@@ -368,7 +368,7 @@ TEST_CASE(
 }
 
 TEST_CASE("each of several requests that were given up one after the other is awaited") {
-    bench b;
+    bench b{{}, {.mailbox_timeout = 20ms}};
     REQUIRE(b.bring_up());
     answers_of slave{b};
     slave.number = [](unsigned) { return 1u; };
@@ -489,7 +489,7 @@ TEST_CASE("a transfer that the slave has taken, or may have taken, is not withdr
 
 TEST_CASE("a late answer is not used for the next request although others were withdrawn in between") {
     for (int withdrawn = 0; withdrawn != 8; ++withdrawn) { // more than there are counters
-        bench b;
+        bench b{{}, {.mailbox_timeout = 20ms}};
         REQUIRE(b.bring_up());
         b.works = false;
         CHECK(b.download().error() == master_error{.code = master_errc::mailbox_timeout});

@@ -164,7 +164,7 @@ class bridge_system {
             made.has_clocks = kind == system_kind::clocks;
             if (made.has_clocks) made.period = std::chrono::milliseconds{2 + 3 * random.below(2)};
         }
-        made.is_shared = what.seed % 8 == 7; // none of seeds.txt
+        made.is_shared = what.seed % 8 == 7;
         add_slaves(made, random);
         for (const auto& each : made.units) {
             const auto node = station_of(each.slaves.front());
