@@ -120,13 +120,17 @@ struct bridge_program::life_data {
               *std::ranges::min_element(program.settings_.units, {}, &unit_settings::limit))} {}
     void changed_state(const bridging::component& who, jaus::primary_status_code from, jaus::primary_status_code to) {
         mine.model_.enters(account(who), from, to);
+        judge(who).enters(from, to);
     }
-    void changed_controller(const bridging::component& who, jaus::control_change) {
+    void changed_controller(const bridging::component& who, jaus::control_change why) {
         const auto& now = who.control().controller();
+        judge(who).controlled(now, why);
+        orders(who).changed_controller();
         mine.model_.controlled(account(who), now ? std::optional{now->address} : std::nullopt);
     }
     void refused(const bridging::component& who, const jaus::header& message, const bridging::refusal_reason& why) {
         mine.model_.drops(account(who), message, text_of(why.why));
+        orders(who).refused(message, why.why);
     }
     void merged(const bridging::component& who, const jaus::header& message) {
         mine.model_.merges(account(who), message);
@@ -136,6 +140,7 @@ struct bridge_program::life_data {
               .who = number(who),
               .number = static_cast<std::uint16_t>(what),
               .why = text_of(why)});
+        orders(who).stop_required();
     }
     void stop_refused(const bridging::component& who, bridging::stop_order what, const bridging::refusal_reason&,
                       unsigned attempts) {
@@ -143,13 +148,28 @@ struct bridge_program::life_data {
               .who = number(who),
               .number = static_cast<std::uint16_t>(what),
               .value = attempts});
+        orders(who).stop_refused();
     }
-    void settled(const bridging::component& who) { tell({.what = deed::settled, .who = number(who)}); }
+    void settled(const bridging::component& who) {
+        tell({.what = deed::settled, .who = number(who)});
+        orders(who).settled();
+    }
+    void faulted(const bridging::component& who, const bridging::drive_fault&) { orders(who).faulted(true); }
+    void fault_ended(const bridging::component& who) { orders(who).faulted(false); }
+    void bring_up_failed(const bridging::slave_front& slave, const jauscat::ethercat::master_error&) {
+        orders(slave).bring_up_failed();
+    }
     void slave_up(const bridging::slave_front& slave, const jauscat::ethercat::slave_record&, bool ready) {
-        if (ready) tell({.what = deed::uses_slave, .who = mine.number(), .whom = number(slave)});
+        if (!ready) return;
+        tell({.what = deed::uses_slave, .who = mine.number(), .whom = number(slave)});
+        orders(slave).slave_up(slave.options().position);
+    }
+    void no_keep_alive(const bridging::slave_front& slave, const bridging::refusal_reason&) {
+        orders(slave).no_keep_alive();
     }
     void slave_lost(const bridging::slave_front& slave, bridging::loss what, const jauscat::ethercat::master_error&) {
         tell({.what = deed::loses_slave, .who = mine.number(), .whom = number(slave), .why = text_of(what)});
+        orders(slave).slave_lost(slave.options().position);
     }
     void tell(const happening& one) const { mine.world_.tell(one); }
     [[nodiscard]] std::uint8_t number(const bridging::component& who) const {
@@ -160,19 +180,32 @@ struct bridge_program::life_data {
     }
     [[nodiscard]] bridging::observer observer() {
         return {.slave_up = jaus::bound<&life_data::slave_up>(*this),
+                .bring_up_failed = jaus::bound<&life_data::bring_up_failed>(*this),
                 .slave_lost = jaus::bound<&life_data::slave_lost>(*this),
+                .no_keep_alive = jaus::bound<&life_data::no_keep_alive>(*this),
                 .changed_state = jaus::bound<&life_data::changed_state>(*this),
                 .changed_controller = jaus::bound<&life_data::changed_controller>(*this),
                 .stop_required = jaus::bound<&life_data::stop_required>(*this),
                 .stop_refused = jaus::bound<&life_data::stop_refused>(*this),
                 .settled = jaus::bound<&life_data::settled>(*this),
+                .faulted = jaus::bound<&life_data::faulted>(*this),
+                .fault_ended = jaus::bound<&life_data::fault_ended>(*this),
                 .merged = jaus::bound<&life_data::merged>(*this),
                 .refused = jaus::bound<&life_data::refused>(*this)};
     }
-    [[nodiscard]] std::uint8_t account(const bridging::component& who) const {
+    [[nodiscard]] std::size_t index(const bridging::component& who) const {
         for (std::size_t i = 0; i != mine.accounts_.size(); ++i)
-            if (unit_id(mine.places_[i]) == who.self()) return mine.accounts_[i];
+            if (unit_id(mine.places_[i]) == who.self()) return i;
         return 0;
+    }
+    [[nodiscard]] std::uint8_t account(const bridging::component& who) const { return mine.accounts_[index(who)]; }
+    [[nodiscard]] component_judge& judge(const bridging::component& who) const { return *mine.judges_[index(who)]; }
+
+    [[nodiscard]] order_judge& orders(const bridging::component& who) const { return *mine.orders_[index(who)]; }
+    [[nodiscard]] order_judge& orders(const bridging::slave_front& slave) const {
+        const auto account = mine.places_of_slaves_[slave.options().position].first;
+        const auto found = std::ranges::find(mine.accounts_, account);
+        return *mine.orders_[static_cast<std::size_t>(found - mine.accounts_.begin())];
     }
 
     bridge_program& mine;
@@ -198,6 +231,21 @@ bridge_program::bridge_program(world& w, network& n, model& m, const std::vector
             for (std::size_t axis = 0; axis != std::max<std::size_t>(one.axes, 1); ++axis)
                 axes.push_back({.slave = slave, .axis = axis});
         }
+        judges_.push_back(
+            std::make_unique<component_judge>(w, *this,
+                                              judged_component{.id = unit_id(places[i]),
+                                                               .number = m.actuator(accounts_.back()).number,
+                                                               .timeout = what.options(one).control_timeout,
+                                                               .remembered = 4096,
+                                                               .has_slaves = true}));
+        orders_.push_back(std::make_unique<order_judge>(w, m, *this,
+                                                        judged_orders{.account = accounts_.back(),
+                                                                      .slaves = one.slaves,
+                                                                      .axes = one.axes,
+                                                                      .is_cyclic = one.cyclic,
+                                                                      .is_shared = what.is_shared,
+                                                                      .order_timeout = what.options(one).order_timeout,
+                                                                      .keep_alive = what.options(one).keep_alive}));
         m.stands_behind(accounts_.back(), static_cast<std::uint8_t>(i), wire, std::move(axes), what.times(one));
     }
 }
@@ -239,12 +287,22 @@ void bridge_program::boot() {
     }
     for (std::size_t i = 0; i != accounts_.size(); ++i) {
         auto& one = data_->units.emplace_back(*this, i, data_->observer());
-        one.watched.seen_in = [this, &one, i](const jaus::header& head) {
+        one.watched.seen_in = [this, &one, i](const jaus::header& head, bytes body) {
+            orders_[i]->gets(head, body);
             model_.arrives(accounts_[i], std::exchange(one.current_message, 0), head);
         };
-        one.watched.seen_out = [this, i](bytes message) { model_.answers(accounts_[i], message); };
+        one.watched.seen_out = [this, i](bytes message) {
+            model_.answers(accounts_[i], message);
+            orders_[i]->sends(message);
+        };
         one.watched.seen_lost = [this, i](const jaus::address& who) { model_.hears_lost(accounts_[i], who); };
-        one.watched.seen_done = [this, i](jaus::component_outcome what) { model_.handled(accounts_[i], what); };
+        one.watched.seen_done = [this, i](jaus::component_outcome what) {
+            model_.handled(accounts_[i], what);
+            orders_[i]->has_handled(what);
+        };
+        one.watched.judge = judges_[i].get();
+        judges_[i]->starts();
+        orders_[i]->starts();
         model_.starts(accounts_[i]);
         for (auto& front : one.fronts) static_cast<void>(data_->bus->add(front));
         one.stuck_since = world_.now();
@@ -254,6 +312,11 @@ void bridge_program::boot() {
 }
 
 void bridge_program::kill() { data_.reset(); }
+
+void bridge_program::check() {
+    for (auto& each : judges_) each->check();
+    for (auto& each : orders_) each->check();
+}
 
 void bridge_program::receive(const datagram& one) {
     auto& to = data_->units[one.to];
@@ -306,6 +369,8 @@ void bridge_program::put(bytes message) {
         auto& one = data_->units[i];
         if (one.component.self() != parts.header.source) continue;
         model_.answers(accounts_[i], message);
+        judges_[i]->sends(message);
+        orders_[i]->sends(message);
         one.node.put(message, now());
     }
 }

@@ -1,9 +1,11 @@
 // The program with the bridge: components, a JAUS node for each, and the ring with their slaves.
 #pragma once
 
+#include "simulation/component_judge.hpp"
 #include "simulation/direct_user.hpp"
 #include "simulation/model.hpp"
 #include "simulation/node_program.hpp"
+#include "simulation/order_judge.hpp"
 #include "simulation/ring.hpp"
 #include <jauscat/bridge/ring.hpp>
 #include <jauscat/bridge/wrench_effort_part.hpp>
@@ -57,6 +59,7 @@ class bridge_program final : public process, public frame_user {
     /// The efforts of an axis of a slave are set.
     void moved(std::size_t slave, std::size_t axis, command_number command);
     void frame_returns(bytes frame) override;
+    void check() override;
 
   protected:
     void boot() override;
@@ -84,6 +87,8 @@ class bridge_program final : public process, public frame_user {
     bridge_settings settings_;
     std::vector<std::unique_ptr<side_port>> side_ports_{};
     std::vector<std::uint8_t> accounts_{};
+    std::vector<std::unique_ptr<order_judge>> orders_{};                   ///< of each account
+    std::vector<std::unique_ptr<component_judge>> judges_{};               ///< of each account
     std::vector<std::pair<std::uint8_t, std::size_t>> places_of_slaves_{}; ///< account and first axis of each
     std::optional<direct_user> application_{};
     std::unique_ptr<life_data> data_{};

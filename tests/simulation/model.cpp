@@ -40,6 +40,7 @@ std::uint32_t model::hands_over(std::uint8_t sender, bytes message, time must_en
     jaus::header head{};
     if (!wire::decode_prefix(head, message) || jaus::is_acknowledgement(head)) return 0;
     if (head.command_code >= 0x2000 || !jaus::names_one_component(head.destination)) return 0;
+    if (head.experimental && jaus::is_standard(head.command_code)) return 0;
     auto& account = senders_[sender];
     const auto body = message.subspan(jaus::header_size);
     const auto digest = digest_of(body);
@@ -877,6 +878,23 @@ void model::check_known(const actuator_account& a) {
                    "a component is not Ready " + in_ms(a.noticed_in) + " after its slave is not known to run",
                    std::string{"Ready, "} + in_ms(world_.now() - since) + " after this: " + trouble->what);
     }
+}
+
+time model::quiet_for(std::uint8_t which) const {
+    const auto& a = actuators_[which];
+    if (a.wire == nullptr || !a.program->running()) return {};
+    time last = last_disturbance(a);
+    for (std::size_t i = 0; i != a.wire->size(); ++i) {
+        const auto& each = (*a.wire)[i];
+        const bool is_hurt = each.frozen || each.away || each.state_is_unknown || each.has_drive_fault ||
+                             each.reports_error || each.keeps_watchdog || each.unreachable_since || each.taken_since ||
+                             each.left_state_since || each.slow != time{} || a.wire->is_elsewhere(i) ||
+                             (each.arm != nullptr && each.arm->is_aborting()) ||
+                             (each.drive != nullptr && each.drive->has_fault());
+        if (is_hurt) return {};
+        last = std::max({last, each.left_at, each.shared_at, each.disturbed_at, each.unfrozen_at, each.missed_at});
+    }
+    return world_.now() - last;
 }
 
 // Slaves and components that nothing has happened to for some time stay in use.

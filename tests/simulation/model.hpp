@@ -159,6 +159,8 @@ class model {
         a.control_timeout = times.control_timeout;
     }
     [[nodiscard]] const actuator_account& actuator(std::uint8_t which) const { return actuators_[which]; }
+    /// For how long nothing has happened to a slave of its ring, a frame or its program; 0 where something lasts.
+    [[nodiscard]] time quiet_for(std::uint8_t which) const;
 
     /// For a new motion command.
     command_number new_command() noexcept { return commands_ = commands_ % (numbers_of_commands - 1) + 1; }

@@ -4,6 +4,7 @@
 #include "simulation/model.hpp"
 #include "simulation/places.hpp"
 #include "simulation/process.hpp"
+#include "simulation/unit_judge.hpp"
 
 #include <functional>
 #include <optional>
@@ -19,40 +20,49 @@ template <class Component, class Application> class watched_component {
     watched_component(Component& component, Application& application) : it_{component}, application_{application} {}
 
     bool mute{};
-    std::function<void(const jaus::header&)> seen_in{};
+    std::function<void(const jaus::header&, bytes)> seen_in{};
     std::function<void(bytes)> seen_out{};
     std::function<void(jaus::component_outcome)> seen_done{};
     std::function<void(const jaus::address&)> seen_lost{};
+    unit_judge* judge{};
 
     [[nodiscard]] const jaus::address& self() const noexcept { return it_.self(); }
     jaus::component_outcome on_message(const jaus::header& head, bytes body, jauscat::time_point now,
                                        jaus::message_sink out, auto&& rest) {
         if (mute) return jaus::component_outcome::handled;
-        if (seen_in) seen_in(head);
+        if (seen_in) seen_in(head, body);
+        if (judge != nullptr) judge->gets(head, body);
         const auto send = watching(out);
         const auto what = it_.on_message(head, body, now, send, [&](const jaus::header& h, bytes b) {
             const auto mine = application_(h, b);
             return mine == jaus::message_outcome::unhandled ? rest(h, b) : mine;
         });
+        if (judge != nullptr) judge->has_handled(what);
         if (seen_done) seen_done(what);
         return what;
     }
     void on_time(jauscat::time_point now, jaus::message_sink out) {
         if (mute) return;
         const auto send = watching(out);
+        if (judge != nullptr) judge->runs();
         it_.on_time(now, send);
+        if (judge != nullptr) judge->has_run();
     }
     [[nodiscard]] std::optional<jauscat::time_point> next_event() const {
         return mute ? std::nullopt : it_.next_event();
     }
     void on_lost(const jaus::address& who) {
         if (seen_lost) seen_lost(who);
-        if (!mute) it_.on_lost(who);
+        if (mute) return;
+        if (judge != nullptr) judge->loses(who);
+        it_.on_lost(who);
+        if (judge != nullptr) judge->has_lost();
     }
 
   private:
     [[nodiscard]] auto watching(jaus::message_sink out) {
         return [this, out](bytes message) {
+            if (judge != nullptr) judge->sends(message);
             if (seen_out) seen_out(message);
             out(message);
         };

@@ -5,6 +5,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
+constexpr jaus::held_control_options control_options{.retry = {.interval = milliseconds{200}, .attempts = 3},
+                                                     .renewal = milliseconds{150}};
+
 jaus::set_emergency stop_order(bool with_code) {
     jaus::set_emergency made{};
     if (with_code) made.emergency_code.set(jaus::set_emergency_code::transition_to_emergency);
@@ -51,22 +54,22 @@ operator_program::operator_program(world& w, network& n, model& m, const std::ve
       target_{target.id},
       joints_{target.joints},
       account_{m.add_sender(*this, id_)},
+      judge_{w, *this, {.id = id_, .target = target_, .control = control_options, .places = most_waiting}},
       sends_long_data_{sends_long_data} {
     world_.in(world_.faults.pause(fault::mute_controller, std::chrono::seconds{5}), *this, to_mute);
 }
 
 void operator_program::add_components(net::node_machine& node) {
     memory_ = {};
-    control_.emplace(id_, target_,
-                     jaus::held_control_options{.retry = {.interval = milliseconds{200}, .attempts = 3},
-                                                .renewal = milliseconds{150}},
-                     control_listener_);
+    control_.emplace(id_, target_, control_options, control_listener_);
     jaus::component_options options{};
     options.acknowledgement.first_number = static_cast<std::uint16_t>(random_.next());
+    judge_.starts(options.acknowledgement.first_number);
     core_.emplace(id_, memory_,
                   jaus::component_hooks{.on_delivered = jaus::bound<&operator_program::on_delivered>(*this)}, options,
                   *control_);
     watched_.emplace(*core_, application_);
+    watched_->judge = &judge_;
     node.add(*watched_, application_);
     core_->change(jaus::state_event::initialized);
     holds_emergency_ = false;
@@ -95,11 +98,13 @@ jaus::message_outcome operator_program::application::operator()(const jaus::head
 }
 
 void operator_program::changed_control(jaus::control_state state) {
+    judge_.changed(state);
     if (state == jaus::control_state::asking) asks_since_ = run_time();
     world_.tell({.what = deed::control, .who = number(), .value = static_cast<std::uint32_t>(state)});
 }
 
 void operator_program::on_delivered(const jaus::awaited_message& message, jaus::delivered what) {
+    judge_.delivered(message.header, what);
     if (what == jaus::delivered::timed_out) return model_.learns_nothing(account_, message.header);
     model_.learns(account_, message.header, what == jaus::delivered::acknowledged);
     if (what != jaus::delivered::acknowledged) return;
@@ -111,13 +116,20 @@ void operator_program::large_data_done(const jaus::header& head, jaus::delivered
     model_.learns_large(account_, head, what);
 }
 
+// What goes to the node's, seen by the judge.
+auto operator_program::judged_out() {
+    return [this](bytes message) {
+        judge_.sends(message);
+        node().out(now())(message);
+    };
+}
+
 template <class Message> void operator_program::command(const Message& message, bool acknowledged) {
     const auto out = node().out(now());
     const jaus::header head{.destination = target_, .source = id_, .sequence_number = plain_number_++};
-    if (acknowledged)
-        static_cast<void>(core_->send(head, message, now(), out));
-    else
-        static_cast<void>(jaus::put(head, message, out));
+    if (!acknowledged) return static_cast<void>(jaus::put(head, message, out));
+    judge_.begins_message();
+    judge_.has_sent(core_->send(head, message, now(), judged_out()), jaus::command_code_of<Message>);
 }
 
 void operator_program::move(command_number number, bool acknowledged) {
@@ -155,6 +167,18 @@ void operator_program::check_control() {
                        .found = "it is still asking"});
 }
 
+void operator_program::ask_control() {
+    const auto authority = static_cast<std::uint8_t>(1 + random_.below(200));
+    judge_.asks(authority);
+    control_->ask(authority, now(), judged_out());
+    judge_.has_done();
+}
+void operator_program::release_control() {
+    judge_.releases();
+    control_->release(judged_out());
+    judge_.has_done();
+}
+
 void operator_program::act() {
     if (watched_->mute) return;
     check_control();
@@ -163,7 +187,7 @@ void operator_program::act() {
     switch (next_intent(random_, has_control, holds_emergency_, joints_ != 0)) {
     case intent::ask_control:
         if (control_->state() == jaus::control_state::asking) return;
-        return control_->ask(static_cast<std::uint8_t>(1 + random_.below(200)), now(), node().out(now()));
+        return ask_control();
     case intent::move: return move(model_.new_command(), sure);
     case intent::stop_moving: return move(0, sure);
     case intent::standby: return command(jaus::standby{}, sure);
@@ -173,7 +197,7 @@ void operator_program::act() {
     case intent::reset: return command(jaus::reset{}, sure);
     case intent::shutdown: return command(jaus::shutdown{}, sure);
     case intent::release:
-        if (has_control) control_->release(node().out(now()));
+        if (has_control) release_control();
         return;
     case intent::query_status: return command(jaus::query_component_status{}, false);
     case intent::query_efforts: return query_motion();
@@ -187,6 +211,7 @@ void operator_program::own_event(std::uint8_t what, std::uint32_t argument) {
         watched_->mute = false;
         asks_since_ = run_time();
         model_.speaks(account_);
+        judge_.speaks();
         node().wake(now());
         if (running()) rearm();
         return;
@@ -195,6 +220,7 @@ void operator_program::own_event(std::uint8_t what, std::uint32_t argument) {
     if (!running() || watched_->mute || !world_.faults.strikes(fault::mute_controller, 100'000)) return;
     watched_->mute = true;
     model_.mutes(account_);
+    judge_.mutes();
     world_.tell({.what = deed::goes_mute, .who = number()});
     world_.in(world_.faults.random(fault::mute_controller).between(milliseconds{100}, std::chrono::seconds{5}), *this,
               to_speak, life());

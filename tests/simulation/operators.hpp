@@ -2,6 +2,7 @@
 #pragma once
 
 #include "simulation/node_program.hpp"
+#include "simulation/operator_judge.hpp"
 #include <jauscat/jaus/component/component.hpp>
 #include <jauscat/jaus/component/held_control.hpp>
 
@@ -39,6 +40,7 @@ class operator_program final : public node_program {
   public:
     operator_program(world& w, network& n, model& m, const std::vector<place>& places, std::size_t which,
                      const target_unit& target, bool sends_long_data = false);
+    void check() override { judge_.check(); }
 
   protected:
     void add_components(net::node_machine& node) override;
@@ -59,11 +61,15 @@ class operator_program final : public node_program {
     template <class Message> void command(const Message& message, bool acknowledged);
     void move(command_number number, bool acknowledged);
     void query_motion();
+    void ask_control();
+    void release_control();
+    [[nodiscard]] auto judged_out();
     void check_control();
 
     jaus::address id_, target_;
     std::size_t joints_;
     std::uint8_t account_;
+    operator_judge judge_;
     struct control_listener {
         operator_program& mine;
         void operator()(jaus::control_state state) const { mine.changed_control(state); }
@@ -72,7 +78,8 @@ class operator_program final : public node_program {
         operator_program& mine;
         jaus::message_outcome operator()(const jaus::header& head, bytes body) const;
     } application_{*this};
-    jaus::component_memory<8, 64, 64> memory_{};
+    static constexpr std::size_t most_waiting = 8;
+    jaus::component_memory<most_waiting, 64, 64> memory_{};
     std::optional<jaus::held_control> control_{};
     std::optional<jaus::component<jaus::held_control>> core_{};
     std::optional<watched_component<jaus::component<jaus::held_control>, application>> watched_{};

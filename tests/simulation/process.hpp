@@ -75,6 +75,8 @@ class process : public actor, public port_user {
         if (running()) rearm();
         return false;
     }
+    /// After each step.
+    virtual void check() {}
     /// For the world: as kill -9 does.
     void die(time pause) {
         if (condition_ == condition::dead) return;

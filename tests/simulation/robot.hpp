@@ -1,6 +1,7 @@
 // A program whose component is an actuator itself: a Primitive Driver whose motors it drives directly.
 #pragma once
 
+#include "simulation/component_judge.hpp"
 #include "simulation/node_program.hpp"
 #include <jauscat/jaus/component/component.hpp>
 #include <jauscat/jaus/events/service_connections.hpp>
@@ -21,6 +22,9 @@ class actuator {
 
     jaus::message_outcome operator()(const jaus::header& head, bytes body);
 
+    static constexpr std::array<std::uint16_t, 1> harmless{large_code};
+    component_judge* judge{};
+
   private:
     void on_state(jaus::primary_status_code from, jaus::primary_status_code to);
     void on_controller(const std::optional<jaus::controller>& now, jaus::control_change why);
@@ -36,7 +40,6 @@ class actuator {
         actuator& mine;
         std::optional<std::size_t> operator()(std::uint16_t, std::uint32_t, std::span<std::byte> body) const;
     } filler_{*this};
-    static constexpr std::array<std::uint16_t, 1> harmless{large_code};
     static constexpr std::array<jaus::connectable_report, 1> reports{{{0x2405, 1, 50}}};
     jaus::service_connections<8> connections_;
     jaus::component_memory<8, 256, 256> memory_{};
@@ -51,6 +54,7 @@ class robot final : public node_program {
     robot(world& w, network& n, model& m, const std::vector<place>& places, std::size_t which);
 
     [[nodiscard]] std::size_t instances() const noexcept { return seats_.size(); }
+    void check() override;
 
   protected:
     void add_components(net::node_machine& node) override;
@@ -68,7 +72,10 @@ class robot final : public node_program {
         std::optional<actuator> unit{};
         std::optional<watched_component<decltype(actuator::core), actuator>> watched{};
         time stuck_since{};
+        std::optional<component_judge> judge{};
+        void initialize();
     };
+    [[nodiscard]] static std::optional<jaus::component_outcome> outcome_of(const jaus::header& head, bytes body);
     void look_after(seat& one);
 
     std::vector<std::unique_ptr<seat>> seats_{};

@@ -1,6 +1,7 @@
 #include "simulation/simulation.hpp"
 
 #include "simulation/bridge_program.hpp"
+#include "simulation/inspector.hpp"
 #include "simulation/joint_system.hpp"
 #include "simulation/memory_watch.hpp"
 #include "simulation/node_system.hpp"
@@ -33,6 +34,13 @@ std::optional<jaus::address> twin_of_foreign(world& w) {
     return made;
 }
 
+/// In a part of the runs, none of seeds.txt, somebody sends what operators seldom send.
+bool has_inspector(std::uint64_t seed) {
+    constexpr std::array<std::uint64_t, 6> with{3, 5, 9, 12, 14, 15};
+    return std::ranges::find(with, seed % 16) != with.end();
+}
+place place_of_inspector() { return {"inspector", {0, 32, 1, 7}}; }
+
 /// Robots that are JAUS components themselves, and operators of both kinds.
 class jaus_system {
   public:
@@ -55,6 +63,7 @@ class jaus_system {
         const auto twin = twin_of_foreign(w);
         if (twin) places_.back() = {"twin operator", *twin};
         places_.push_back({"foreign operator", {0, 32, 1, 5}});
+        if (has_inspector(what.seed)) places_.push_back(place_of_inspector());
         for (const std::size_t i : {0U, 1U}) {
             auto made = std::make_unique<robot>(world_, network_, model_, places_, i);
             instances_[i] = made->instances();
@@ -81,6 +90,9 @@ class jaus_system {
         else
             add<operator_program>(3U, unit_of(robot_of_b), has_long_data);
         add_foreign(component_of(5, 32), 4);
+        if (has_inspector(what.seed))
+            processes_.push_back(std::make_unique<inspector>(w, network_, model_, component_of(7, 32), unit_of_foreign,
+                                                             static_cast<std::uint8_t>(robot_of_foreign - 2)));
         network_.start();
         for (auto& one : processes_)
             if ((what.absent >> one->number() & 1U) == 0) one->start();
@@ -88,6 +100,7 @@ class jaus_system {
             // Of some hundred packets one is always lost otherwise, so that no long set would have to arrive.
             if (has_long_data) network_.set_calm(world_.now() / std::chrono::seconds{1} % 30 >= 20);
             model_.check();
+            for (auto& each : processes_) each->check();
             memory_.look();
         };
     }
@@ -174,6 +187,7 @@ class bridge_system {
         const auto twin = twin_of_foreign(w);
         places_.push_back(twin ? place{"twin operator", *twin} : place{"operator b", subsystem(4)});
         places_.push_back({"foreign operator", {0, 32, 1, 5}});
+        if (has_inspector(what.seed)) places_.push_back(place_of_inspector());
         bridge_ = std::make_unique<bridge_program>(w, network_, model_, places_, wire_, made);
         const auto arm = [&] { return static_cast<std::uint8_t>(random.below(made.units.size())); };
         const auto unit = [&](std::uint8_t i) {
@@ -194,7 +208,10 @@ class bridge_system {
             add_foreign(*twin, "twin operator");
         else
             add_operator(1, of_b);
-        add_foreign(component_of(5, 32), places_.back().name);
+        add_foreign(component_of(5, 32), "foreign operator");
+        if (has_inspector(what.seed))
+            operators_.push_back(
+                std::make_unique<inspector>(w, network_, model_, component_of(7, 32), unit(of_foreign), of_foreign));
         wire_.start(*bridge_);
         network_.start();
         bridge_->start();
@@ -202,6 +219,8 @@ class bridge_system {
             if ((what.absent >> one->number() & 1U) == 0) one->start();
         w.check = [this] {
             model_.check();
+            bridge_->check();
+            for (auto& each : operators_) each->check();
             memory_->look();
         };
         memory_.emplace(w);

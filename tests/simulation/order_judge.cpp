@@ -1,0 +1,229 @@
+#include "simulation/order_judge.hpp"
+
+#include <jauscat/bridge/component.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace simulation {
+namespace {
+
+using bridging::refusal;
+using std::chrono::milliseconds, std::chrono::seconds;
+
+constexpr std::size_t queue_places = 16, queue_share = 256;
+constexpr time to_serve = milliseconds{300}; // an order of a slave that is there
+
+std::string text(const jaus::header& head) {
+    return "command code " + std::to_string(head.command_code) + ", number " + std::to_string(head.sequence_number);
+}
+bool is_query(std::uint16_t code) { return code >= 0x2000 && code < 0x4000; }
+bool is_state_command(std::uint16_t code) { return code >= 0x0002 && code <= 0x0007; }
+
+// Some senders add bytes, or leave some out.
+bool is_as_made(std::uint16_t code, bytes body) {
+    const auto command = motion_in(code, body);
+    if (!command || code != jaus::command_code_of<jaus::set_wrench_effort>) return command.has_value();
+    std::array<std::byte, 64> space{};
+    const auto made = wire::encode(efforts_of<jaus::set_wrench_effort>(*command), space);
+    return made && std::ranges::equal(*made, body);
+}
+
+} // namespace
+
+void order_judge::starts() {
+    open_.clear();
+    seen_.clear();
+    up_.clear();
+    stopped_at_ = world_.now();
+    is_owed_ = true; // what the actuator does is not known
+    may_be_settled_ = is_faulted_ = false;
+}
+
+void order_judge::gets(const jaus::header& head, bytes body) {
+    const bool is_well_formed = !moves(head.command_code) || is_as_made(head.command_code, body);
+    current_ = {head, world_.now(), program_.local(), body.size(), is_well_formed};
+    std::erase_if(seen_, [&](const order& one) { return world_.now() - one.at > seconds{10}; });
+    seen_.push_back(current_);
+    has_ended_ = false;
+}
+
+void order_judge::has_handled(jaus::component_outcome what) {
+    if (what != jaus::component_outcome::deferred || has_ended_) return;
+    // Set Emergency is executed each time; copies of one are acknowledged together.
+    const bool is_known = current_.head.command_code == jaus::command_code_of<jaus::set_emergency> &&
+                          std::ranges::find(open_, current_.head, &order::head) != open_.end();
+    if (!is_known) open_.push_back(current_);
+}
+
+// An acknowledgement, or a report, ends the oldest that it may belong to.
+void order_judge::sends(bytes message) {
+    const auto m = jaus::split(message);
+    if (!m) return;
+    const auto& head = m.header;
+    const auto is_of = [&](const order& one) {
+        const auto& of = one.head;
+        if (of.source != head.destination) return false;
+        if (jaus::is_acknowledgement(head))
+            return of.command_code == head.command_code && of.sequence_number == head.sequence_number;
+        return is_query(of.command_code) && of.command_code + 0x2000 == head.command_code;
+    };
+    if (head.command_code == jaus::command_code_of<jaus::report_component_status> && !jaus::is_acknowledgement(head))
+        check_status(m.body);
+    const auto found = std::ranges::find_if(open_, is_of);
+    if (found != open_.end()) open_.erase(found);
+}
+
+// ---------------------------------------------------------------------------------------------------- observer
+
+const char* order_judge::cause_missing(const order& one, refusal why) const {
+    const auto& head = one.head;
+    switch (why) {
+    case refusal::slave_down: return is_up() ? "its slaves are there" : nullptr;
+    case refusal::queue_full: {
+        const auto waiting = std::ranges::count_if(
+            open_, [&](const order& each) { return world_.now() - each.at <= what_.order_timeout; });
+        return static_cast<std::size_t>(waiting) < queue_places ? "there are places in the queue" : nullptr;
+    }
+    case refusal::too_large: return one.size <= queue_share ? "it has a place" : nullptr;
+    case refusal::expired:
+        return program_.local() - one.local_at < what_.order_timeout ? "it has not waited so long" : nullptr;
+    case refusal::superseded: {
+        const auto count = std::ranges::count_if(seen_, [&](const order& each) {
+            return each.at >= one.at && each.head.source == head.source && moves(each.head.command_code);
+        });
+        return what_.axes == 0 && !what_.is_cyclic && count < 2 ? "none has come after it" : nullptr;
+    }
+    case refusal::stopped: {
+        const time last = std::max(stopped_at_, changed_control_at_);
+        // One that comes while a stop order is unconfirmed is dropped, too.
+        const bool is_before = !is_owed_ && last + milliseconds{100} < one.at && program_.jumped_at() <= last;
+        return is_before ? "no stop order has come, and no change of control" : nullptr;
+    }
+    case refusal::not_translated:
+        return moves(head.command_code) && one.is_well_formed && is_quiet() ? "it is well-formed" : nullptr;
+    case refusal::by_slave:
+        return moves(head.command_code) && one.is_well_formed && is_quiet() && !is_in_emergency()
+                   ? "nothing has happened to its slave"
+                   : nullptr;
+    case refusal::not_accepted:
+    case refusal::stale: return is_quiet() && !is_in_emergency() ? "nothing has happened to its slaves" : nullptr;
+    }
+    return "there is no such cause";
+}
+
+// An arm keeps its emergency when the program of the bridge restarts, which does not know of it then.
+bool order_judge::is_in_emergency() const {
+    const auto* const arm = (*model_.actuator(what_.account).wire)[what_.slaves.front()].arm;
+    return arm != nullptr && arm->in_emergency();
+}
+
+void order_judge::refused(const jaus::header& head, refusal why) {
+    // The message that is being handled, or one that waits.
+    const auto is_it = [&](const order& one) {
+        return one.head.source == head.source && one.head.command_code == head.command_code &&
+               one.head.sequence_number == head.sequence_number;
+    };
+    const auto found = std::ranges::find_if(open_, is_it);
+    const bool is_open = found != open_.end();
+    if (!is_open && !is_it(current_)) return;
+    const order one = is_open ? *found : current_;
+    const bool is_known = head.sequence_number != 0 || std::ranges::count_if(seen_, is_it) < 2;
+    if (is_open) open_.erase(found);
+    if (!is_open) has_ended_ = true;
+    world_.compares(comparison::refusal_caused);
+    const char* const missing = is_known ? cause_missing(one, why) : nullptr;
+    if (missing != nullptr)
+        breaks(contract::availability, "a refusal of " + text(head) + " has a cause", missing);
+}
+
+void order_judge::stop_required() {
+    stopped_at_ = world_.now();
+    is_owed_ = true;
+    may_be_settled_ = false;
+}
+
+void order_judge::settled() { is_owed_ = may_be_settled_ = false; }
+
+void order_judge::slave_up(std::size_t slave) {
+    up_.insert(slave);
+    takes_keep_alive_ = true;
+}
+
+void order_judge::slave_lost(std::size_t slave) {
+    up_.erase(slave);
+    world_.compares(comparison::slave_kept);
+    if (is_quiet()) breaks(contract::availability, "a slave to which nothing happens is kept", "it counts as lost");
+}
+
+void order_judge::bring_up_failed() {
+    world_.compares(comparison::slave_kept);
+    if (is_quiet())
+        breaks(contract::availability, "a slave to which nothing happens is brought up", "an attempt has failed");
+}
+
+// ---------------------------------------------------------------------------------------------------- status, times
+
+void order_judge::check_status(bytes body) {
+    using namespace bridging::secondary_status;
+    jaus::report_component_status status{};
+    if (!wire::decode(status, body)) return;
+    world_.compares(comparison::orders_reported);
+    const auto bits = status.secondary_status_code;
+    const auto say = [&](bool is_right, const char* what) {
+        if (!is_right)
+            breaks(contract::s4, std::string{"a secondary status that says whether "} + what,
+                   "the status " + std::to_string(bits));
+    };
+    say(((bits & slave_absent) != 0) != is_up(), "a slave is lost");
+    say(((bits & drive_fault) != 0) == is_faulted_, "a drive has a fault");
+    const auto owed = bits & (rest_unconfirmed | emergency_unconfirmed);
+    if (!is_owed_) say(owed == 0, "stop orders are unconfirmed");
+    if (is_owed_ && !may_be_settled_) say((owed | (bits & clear_unconfirmed)) != 0, "stop orders are unconfirmed");
+}
+
+void order_judge::check() {
+    if (!program_.running()) return;
+    const time now = world_.now(), since = std::max(program_.jumped_at(), time{});
+    if (now - checked_at_ < milliseconds{10}) return;
+    checked_at_ = now;
+    const auto is_awaited = [](const order& one) {
+        const bool is_numbered = one.head.sequence_number != 0; // else it may be the repeat of one before
+        return is_query(one.head.command_code) || (is_numbered && one.head.ack_nak == jaus::ack_nak::request);
+    };
+    std::erase_if(open_, [&](const order& one) { return !is_awaited(one) && now - one.at > what_.order_timeout; });
+    check_keep_alive();
+    for (const auto& one : open_) {
+        if (!is_awaited(one)) continue;
+        world_.compares(comparison::order_ends);
+        const time age = now - std::max(one.at, since);
+        const bool is_waited_for = !is_state_command(one.head.command_code) || is_quiet();
+        if (is_waited_for && age > seconds{3})
+            return breaks(contract::s6, "an end of each message for a slave",
+                          "none of " + text(one.head) + " for " + std::to_string(age / milliseconds{1}) + " ms");
+        if (is_quiet() && !is_in_emergency() && quiet() > age && age > to_serve)
+            return breaks(contract::availability, "a message for a slave to which nothing happens is executed in time",
+                          text(one.head) + " is not, after " + std::to_string(age / milliseconds{1}) + " ms");
+    }
+}
+
+// A slave by mailbox stops by itself without messages.
+void order_judge::check_keep_alive() {
+    if (what_.is_cyclic || !takes_keep_alive_ || !is_up() || !is_quiet()) return;
+    constexpr time to_transfer = milliseconds{60};
+    const auto& slave = (*model_.actuator(what_.account).wire)[what_.slaves.front()];
+    world_.compares(comparison::kept_alive);
+    const time silence = world_.now() - slave.mailbox_written_at;
+    if (silence > what_.keep_alive + to_transfer)
+        breaks(contract::availability, "a message each 100 ms for a slave that stops by itself without one",
+               "none for " + std::to_string(silence / milliseconds{1}) + " ms");
+}
+
+void order_judge::breaks(contract point, std::string expected, std::string found) {
+    world_.breaks({.point = point,
+                   .who = model_.actuator(what_.account).number,
+                   .expected = std::move(expected),
+                   .found = std::move(found)});
+}
+
+} // namespace simulation

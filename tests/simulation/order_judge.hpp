@@ -1,0 +1,81 @@
+// Judges what a bridge's component does with the messages for its slaves: each ends, in time where nothing has
+// happened, and is refused for a cause; its status says what its stop orders and slaves are like.
+#pragma once
+
+#include "simulation/model.hpp"
+#include <jauscat/bridge/observer.hpp>
+#include <jauscat/bridge/pending_stops.hpp>
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace simulation {
+
+namespace bridging = jauscat::bridging;
+
+/// How a judged component of a bridge is made.
+struct judged_orders {
+    std::uint8_t account{}; ///< of the model
+    std::vector<std::size_t> slaves{};
+    std::size_t axes{}; ///< of each slave that is a drive
+    bool is_cyclic{}, is_shared{};
+    time order_timeout{}, keep_alive{};
+};
+
+class order_judge {
+  public:
+    order_judge(world& w, const model& m, const process& program, judged_orders what)
+        : world_{w}, model_{m}, program_{program}, what_{std::move(what)} {}
+
+    void starts();
+    void gets(const jaus::header& head, bytes body);
+    void has_handled(jaus::component_outcome what);
+    void sends(bytes message);
+
+    // What the bridge's observer hears.
+    void refused(const jaus::header& head, bridging::refusal why);
+    void stop_required();
+    void stop_refused() { may_be_settled_ = true; }
+    void settled();
+    void changed_controller() { changed_control_at_ = world_.now(); }
+    void faulted(bool is_faulted) { is_faulted_ = is_faulted; }
+    void slave_up(std::size_t slave);
+    void slave_lost(std::size_t slave);
+    void bring_up_failed();
+    void no_keep_alive() { takes_keep_alive_ = false; }
+
+    void check();
+
+  private:
+    struct order {
+        jaus::header head{};
+        time at{}, local_at{};
+        std::size_t size{};
+        bool is_well_formed{};
+    };
+
+    [[nodiscard]] bool is_up() const { return up_.size() == what_.slaves.size(); }
+    /// For how long nothing has happened to any slave, frame or program.
+    [[nodiscard]] time quiet() const { return model_.quiet_for(what_.account); }
+    [[nodiscard]] bool is_quiet() const { return !what_.is_shared && quiet() > std::chrono::seconds{1}; }
+    [[nodiscard]] const char* cause_missing(const order& one, bridging::refusal why) const;
+    [[nodiscard]] bool is_in_emergency() const;
+    void check_status(bytes body);
+    void check_keep_alive();
+    void breaks(contract point, std::string expected, std::string found);
+
+    world& world_;
+    const model& model_;
+    const process& program_;
+    judged_orders what_;
+    order current_{};
+    std::vector<order> open_{}, seen_{};
+    std::set<std::size_t> up_{};
+    time stopped_at_{}, changed_control_at_{}, checked_at_{};
+    bool is_owed_{}, may_be_settled_{}, is_faulted_{}, takes_keep_alive_{};
+    bool has_ended_{}; ///< the message that is being handled
+};
+
+} // namespace simulation
