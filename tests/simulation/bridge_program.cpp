@@ -125,7 +125,7 @@ struct bridge_program::life_data {
     void changed_controller(const bridging::component& who, jaus::control_change why) {
         const auto& now = who.control().controller();
         judge(who).controlled(now, why);
-        orders(who).changed_controller();
+        orders(who).changed_controller(why);
         mine.model_.controlled(account(who), now ? std::optional{now->address} : std::nullopt);
     }
     void refused(const bridging::component& who, const jaus::header& message, const bridging::refusal_reason& why) {
@@ -140,7 +140,7 @@ struct bridge_program::life_data {
               .who = number(who),
               .number = static_cast<std::uint16_t>(what),
               .why = text_of(why)});
-        orders(who).stop_required();
+        orders(who).stop_required(why);
     }
     void stop_refused(const bridging::component& who, bridging::stop_order what, const bridging::refusal_reason&,
                       unsigned attempts) {
@@ -160,6 +160,7 @@ struct bridge_program::life_data {
         orders(slave).bring_up_failed();
     }
     void slave_up(const bridging::slave_front& slave, const jauscat::ethercat::slave_record&, bool ready) {
+        slaves_changed_at = mine.world_.now();
         if (!ready) return;
         tell({.what = deed::uses_slave, .who = mine.number(), .whom = number(slave)});
         orders(slave).slave_up(slave.options().position);
@@ -169,6 +170,7 @@ struct bridge_program::life_data {
     }
     void slave_lost(const bridging::slave_front& slave, bridging::loss what, const jauscat::ethercat::master_error&) {
         tell({.what = deed::loses_slave, .who = mine.number(), .whom = number(slave), .why = text_of(what)});
+        slaves_changed_at = mine.world_.now();
         orders(slave).slave_lost(slave.options().position);
     }
     void tell(const happening& one) const { mine.world_.tell(one); }
@@ -213,7 +215,7 @@ struct bridge_program::life_data {
     std::deque<unit> units{};
     std::optional<bridging::ring_for<16, 4096, 16, 16>> bus{};
     bool ends{};
-    time ends_since{};
+    time ends_since{}, slaves_changed_at{};
 };
 
 bridge_program::bridge_program(world& w, network& n, model& m, const std::vector<place>& places, ring& wire,
@@ -244,6 +246,7 @@ bridge_program::bridge_program(world& w, network& n, model& m, const std::vector
                                                                       .axes = one.axes,
                                                                       .is_cyclic = one.cyclic,
                                                                       .is_shared = what.is_shared,
+                                                                      .has_clocks = what.has_clocks,
                                                                       .order_timeout = what.options(one).order_timeout,
                                                                       .keep_alive = what.options(one).keep_alive}));
         m.stands_behind(accounts_.back(), static_cast<std::uint8_t>(i), wire, std::move(axes), what.times(one));
@@ -357,9 +360,38 @@ void bridge_program::pump() {
 }
 
 void bridge_program::send_frames() {
-    while (const auto size = data_->bus->next_frame(frame_, now())) wire_.send(bytes{frame_}.first(size));
+    while (const auto size = data_->bus->next_frame(frame_, now())) {
+        look_at_cycle(bytes{frame_}.first(size));
+        wire_.send(bytes{frame_}.first(size));
+    }
     if (data_->ends && data_->bus->at_rest() && world_.now() - data_->ends_since > milliseconds{50})
         world_.at(world_.now(), *this, to_kill, life());
+}
+
+// Process data are sent each period, where nothing happens; and the times of the cycle are those that are seen.
+void bridge_program::look_at_cycle(bytes frame) {
+    constexpr std::size_t command_at = 16;
+    const auto command = std::to_integer<unsigned>(frame[command_at]);
+    const bool is_logical = command >= 10 && command <= 12;
+    if (!is_logical || world_.now() == cycle_at_) return;
+    const time last = std::exchange(cycle_at_, world_.now());
+    if (data_->slaves_changed_at + std::chrono::seconds{1} > world_.now() || data_->ends) return;
+    if (model_.quiet_for(accounts_.front()) <= std::chrono::seconds{1}) return;
+    world_.compares(comparison::cycle_kept);
+    const auto fail = [&](std::string expected, time found) {
+        world_.breaks({.point = contract::availability,
+                       .who = number(),
+                       .expected = std::move(expected),
+                       .found = std::to_string(found / std::chrono::microseconds{1}) + " us"});
+    };
+    const time took = world_.now() - last, off = took - settings_.period;
+    if (std::max(off, -off) > settings_.period / 4) fail("process data each period", took);
+    const auto& times = data_->bus->times();
+    if (times.late > milliseconds{1} || times.late < time{}) fail("a cycle that begins in time", times.late);
+    if (times.round_trip > milliseconds{2} || times.round_trip < std::chrono::microseconds{30})
+        fail("a round trip of 30 us to 2 ms", times.round_trip);
+    if (times.longest_late < times.late || times.longest_round_trip < times.round_trip)
+        fail("the longest time of all", times.longest_round_trip);
 }
 
 void bridge_program::put(bytes message) {
@@ -377,6 +409,8 @@ void bridge_program::put(bytes message) {
 
 void bridge_program::moved(std::size_t slave, std::size_t axis, command_number command) {
     const auto& [account, first_axis] = places_of_slaves_[slave];
+    const auto which = static_cast<std::size_t>(std::ranges::find(accounts_, account) - accounts_.begin());
+    if (command == 0) orders_[which]->rests();
     model_.moves_to(account, first_axis + axis, command);
 }
 
@@ -416,6 +450,7 @@ void bridge_program::own_event(std::uint8_t what, std::uint32_t argument) {
     world_.tell({.what = deed::is_ended, .who = number()});
     data_->ends = true;
     data_->ends_since = world_.now();
+    for (auto& each : orders_) each->ends();
     const auto out = [this](bytes message) { put(message); };
     data_->bus->shut_down(now(), out);
     pump();

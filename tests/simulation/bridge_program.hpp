@@ -79,6 +79,7 @@ class bridge_program final : public process, public frame_user {
     void pump();
     void send_frames();
     void put(bytes message);
+    void look_at_cycle(bytes frame);
     void look_after(unit& one);
 
     model& model_;
@@ -93,6 +94,7 @@ class bridge_program final : public process, public frame_user {
     std::optional<direct_user> application_{};
     std::unique_ptr<life_data> data_{};
     std::array<std::byte, ethercat::max_frame_size> frame_{};
+    time cycle_at_{}; ///< when process data were last sent
 };
 
 } // namespace simulation

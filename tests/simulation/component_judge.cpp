@@ -231,7 +231,10 @@ void component_judge::handle(const jaus::header& head, bytes body) {
         const auto takes = [&](watch& life) { return life.pulses != 0 && life.pulses-- != 0; };
         const bool is_asked = (controls(head.source) && takes(next_.life)) ||
                               (next_.moved_by && next_.moved_by->id == head.source && takes(next_.moved_by->life));
-        if (is_asked) expected_.outcome = component_outcome::handled;
+        if (is_asked)
+            expected_.outcome = component_outcome::handled;
+        else if (!what_.has_slaves)
+            expected_.outcome = component_outcome::unknown;
         return;
     }
     default:

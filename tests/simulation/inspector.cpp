@@ -132,7 +132,7 @@ void inspector::act() {
     case 4: return put(jaus::query_time{static_cast<std::uint8_t>(random_.below(8))});
     case 5: return set_time();
     case 6: return put(jaus::set_component_authority{static_cast<std::uint8_t>(random_.below(256))});
-    case 7: return put(jaus::request_component_control{static_cast<std::uint8_t>(random_.below(120))});
+    case 7: return put(jaus::request_component_control{static_cast<std::uint8_t>(random_.below(256))});
     case 8: return put(jaus::release_component_control{});
     case 9: return put_code(codes[random_.below(codes.size())]);
     case 10: return put(jaus::report_heartbeat_pulse{});

@@ -33,16 +33,19 @@ bool is_as_made(std::uint16_t code, bytes body) {
 
 void order_judge::starts() {
     open_.clear();
+    rested_at_.reset();
     seen_.clear();
     up_.clear();
     stopped_at_ = world_.now();
     is_owed_ = true; // what the actuator does is not known
-    may_be_settled_ = is_faulted_ = false;
+    may_be_settled_ = is_faulted_ = ends_ = false;
+    lost_at_ = not_accepted_at_ = time{-1};
 }
 
 void order_judge::gets(const jaus::header& head, bytes body) {
     const bool is_well_formed = !moves(head.command_code) || is_as_made(head.command_code, body);
-    current_ = {head, world_.now(), program_.local(), body.size(), is_well_formed};
+    const bool stops = moves(head.command_code) && motion_in(head.command_code, body).value_or(0) == 0;
+    current_ = {head, world_.now(), program_.local(), body.size(), is_well_formed, stops};
     std::erase_if(seen_, [&](const order& one) { return world_.now() - one.at > seconds{10}; });
     seen_.push_back(current_);
     has_ended_ = false;
@@ -125,6 +128,7 @@ void order_judge::refused(const jaus::header& head, refusal why) {
                one.head.sequence_number == head.sequence_number;
     };
     const auto found = std::ranges::find_if(open_, is_it);
+    if (why == refusal::not_accepted) not_accepted_at_ = world_.now();
     const bool is_open = found != open_.end();
     if (!is_open && !is_it(current_)) return;
     const order one = is_open ? *found : current_;
@@ -133,11 +137,33 @@ void order_judge::refused(const jaus::header& head, refusal why) {
     if (!is_open) has_ended_ = true;
     world_.compares(comparison::refusal_caused);
     const char* const missing = is_known ? cause_missing(one, why) : nullptr;
-    if (missing != nullptr)
-        breaks(contract::availability, "a refusal of " + text(head) + " has a cause", missing);
+    if (missing != nullptr) breaks(contract::availability, "a refusal of " + text(head) + " has a cause", missing);
 }
 
-void order_judge::stop_required() {
+bool order_judge::has_cause(bridging::stop_cause why) const {
+    using enum bridging::stop_cause;
+    const auto now_in = model_.actuator(what_.account).state;
+    const bool is_changed = changed_control_at_ == world_.now();
+    using jaus::control_change;
+    switch (why) {
+    case bridging::stop_cause::state: return now_in != jaus::primary_status_code::ready && !ends_;
+    case controller_lost: return is_changed && control_change_ == control_change::lost;
+    case control_taken: return is_changed && what_.is_cyclic && control_change_ != control_change::lost;
+    case sender_lost: return !is_changed || control_change_ != control_change::lost;
+    case slave_absent: return !is_up() && lost_at_ == world_.now();
+    case slave_returned: return is_up();
+    case not_accepted: return not_accepted_at_ == world_.now();
+    case bridging::stop_cause::drive_fault: return what_.axes != 0;
+    case program_ends: return ends_;
+    }
+    return false;
+}
+
+void order_judge::stop_required(bridging::stop_cause why) {
+    world_.compares(comparison::stop_caused);
+    if (!has_cause(why))
+        breaks(contract::availability, "a stop order has the cause that is told",
+               "it has not: cause " + std::to_string(static_cast<unsigned>(why)));
     stopped_at_ = world_.now();
     is_owed_ = true;
     may_be_settled_ = false;
@@ -152,6 +178,7 @@ void order_judge::slave_up(std::size_t slave) {
 
 void order_judge::slave_lost(std::size_t slave) {
     up_.erase(slave);
+    lost_at_ = world_.now();
     world_.compares(comparison::slave_kept);
     if (is_quiet()) breaks(contract::availability, "a slave to which nothing happens is kept", "it counts as lost");
 }
@@ -193,11 +220,17 @@ void order_judge::check() {
     };
     std::erase_if(open_, [&](const order& one) { return !is_awaited(one) && now - one.at > what_.order_timeout; });
     check_keep_alive();
+    check_rest();
+    check_return();
     for (const auto& one : open_) {
         if (!is_awaited(one)) continue;
         world_.compares(comparison::order_ends);
         const time age = now - std::max(one.at, since);
         const bool is_waited_for = !is_state_command(one.head.command_code) || is_quiet();
+        // What waits for a slave that is lost is refused.
+        if (!is_state_command(one.head.command_code) && one.at < lost_at_ &&
+            now - std::max(lost_at_, since) > milliseconds{50})
+            return breaks(contract::s6, "an end of each message for a slave that is lost", "none of " + text(one.head));
         if (is_waited_for && age > seconds{3})
             return breaks(contract::s6, "an end of each message for a slave",
                           "none of " + text(one.head) + " for " + std::to_string(age / milliseconds{1}) + " ms");
@@ -205,6 +238,48 @@ void order_judge::check() {
             return breaks(contract::availability, "a message for a slave to which nothing happens is executed in time",
                           text(one.head) + " is not, after " + std::to_string(age / milliseconds{1}) + " ms");
     }
+}
+
+// Efforts stay in force until a stop order, or another command.
+void order_judge::rests() {
+    const auto& a = model_.actuator(what_.account);
+    constexpr time lately = milliseconds{700};
+    if (a.command == 0 || a.state != jaus::primary_status_code::ready || is_owed_ || is_in_emergency() || !is_quiet())
+        return;
+    world_.compares(comparison::efforts_kept);
+    const bool is_told =
+        world_.now() - stopped_at_ < lately ||
+        std::ranges::any_of(
+            seen_,
+            [&](const order& one) { return (one.stops || !one.is_well_formed) && world_.now() - one.at < lately; });
+    if (!is_told) rested_at_ = world_.now();
+}
+
+// What has happened to the slave at the same time is known now.
+void order_judge::check_rest() {
+    constexpr time later = milliseconds{20};
+    if (!rested_at_ || world_.now() - *rested_at_ < later) return;
+    rested_at_.reset();
+    if (is_quiet() && stopped_at_ + seconds{1} < world_.now())
+        breaks(contract::availability, "efforts stay in force until a stop order or another command",
+               "rest, and there was none");
+}
+
+// Slaves to which nothing happens are brought up in time, and their component is ready or at rest by order.
+void order_judge::check_return() {
+    using enum jaus::primary_status_code;
+    if (what_.is_shared) return;
+    const auto& a = model_.actuator(what_.account);
+    const time limit = what_.has_clocks ? seconds{6} : seconds{2};
+    const time age = std::min(quiet(), world_.now() - a.reset_at);
+    if (age <= limit) return;
+    world_.compares(comparison::slave_returns);
+    if (!is_up())
+        breaks(contract::availability, "a slave to which nothing happens is used in time",
+               "it is not, after " + std::to_string(age / milliseconds{1}) + " ms");
+    else if ((a.state == failure || a.state == initialize) && !is_in_emergency())
+        breaks(contract::availability, "a component whose slaves are used is ready in time",
+               "it is not, after " + std::to_string(age / milliseconds{1}) + " ms");
 }
 
 // A slave by mailbox stops by itself without messages.

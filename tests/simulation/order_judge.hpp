@@ -20,7 +20,7 @@ struct judged_orders {
     std::uint8_t account{}; ///< of the model
     std::vector<std::size_t> slaves{};
     std::size_t axes{}; ///< of each slave that is a drive
-    bool is_cyclic{}, is_shared{};
+    bool is_cyclic{}, is_shared{}, has_clocks{};
     time order_timeout{}, keep_alive{};
 };
 
@@ -36,16 +36,22 @@ class order_judge {
 
     // What the bridge's observer hears.
     void refused(const jaus::header& head, bridging::refusal why);
-    void stop_required();
+    void stop_required(bridging::stop_cause why);
+    void ends() { ends_ = true; }
     void stop_refused() { may_be_settled_ = true; }
     void settled();
-    void changed_controller() { changed_control_at_ = world_.now(); }
+    void changed_controller(jaus::control_change why) {
+        changed_control_at_ = world_.now();
+        control_change_ = why;
+    }
     void faulted(bool is_faulted) { is_faulted_ = is_faulted; }
     void slave_up(std::size_t slave);
     void slave_lost(std::size_t slave);
     void bring_up_failed();
     void no_keep_alive() { takes_keep_alive_ = false; }
 
+    /// Its actuator comes to rest.
+    void rests();
     void check();
 
   private:
@@ -53,7 +59,7 @@ class order_judge {
         jaus::header head{};
         time at{}, local_at{};
         std::size_t size{};
-        bool is_well_formed{};
+        bool is_well_formed{}, stops{}; ///< a motion command: without motion
     };
 
     [[nodiscard]] bool is_up() const { return up_.size() == what_.slaves.size(); }
@@ -61,9 +67,12 @@ class order_judge {
     [[nodiscard]] time quiet() const { return model_.quiet_for(what_.account); }
     [[nodiscard]] bool is_quiet() const { return !what_.is_shared && quiet() > std::chrono::seconds{1}; }
     [[nodiscard]] const char* cause_missing(const order& one, bridging::refusal why) const;
+    [[nodiscard]] bool has_cause(bridging::stop_cause why) const;
     [[nodiscard]] bool is_in_emergency() const;
     void check_status(bytes body);
     void check_keep_alive();
+    void check_return();
+    void check_rest();
     void breaks(contract point, std::string expected, std::string found);
 
     world& world_;
@@ -73,7 +82,10 @@ class order_judge {
     order current_{};
     std::vector<order> open_{}, seen_{};
     std::set<std::size_t> up_{};
-    time stopped_at_{}, changed_control_at_{}, checked_at_{};
+    time stopped_at_{}, changed_control_at_{}, checked_at_{}, lost_at_{}, not_accepted_at_{};
+    jaus::control_change control_change_{};
+    std::optional<time> rested_at_{};
+    bool ends_{};
     bool is_owed_{}, may_be_settled_{}, is_faulted_{}, takes_keep_alive_{};
     bool has_ended_{}; ///< the message that is being handled
 };
