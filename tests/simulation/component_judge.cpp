@@ -430,9 +430,11 @@ void component_judge::has_handled(component_outcome what) {
     const bool is_repeat_right = expected_.may_be_repeat && (!expected_.is_repeat || expected_.outcome == what);
     const bool is_of_slave = what_.has_slaves && expected_.outcome && is_done(*expected_.outcome);
     // What a bridge cannot keep until its slave has confirmed it, it refuses.
-    const bool is_right = is_repeat ? is_repeat_right
-                                    : !expected_.outcome || *expected_.outcome == what ||
-                                          (is_of_slave && (what == deferred || (what == refused && sent_.size() != 0)));
+    const bool is_right =
+        is_repeat ? is_repeat_right
+                  : !expected_.outcome || *expected_.outcome == what ||
+                        (is_of_slave &&
+                         (what == deferred || (what == refused && (!sent_.empty() || head_.sequence_number == 0))));
     if (!is_right)
         breaks(contract::s5,
                expected_.outcome ? text(head_) + ": " + std::string{jaus::describe(*expected_.outcome)}

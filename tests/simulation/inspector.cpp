@@ -8,25 +8,37 @@ namespace simulation {
 using std::chrono::milliseconds;
 
 inspector::inspector(world& w, network& n, model& m, const jaus::address& self, const target_unit& target,
-                     std::uint8_t target_port)
+                     std::uint8_t target_port, const process& target_program, const jaus::address& bystander,
+                     std::uint8_t bystander_port)
     : process{w, n, "inspector"},
       model_{m},
       id_{self},
       target_{target.id},
       joints_{target.joints},
       target_port_{target_port},
-      account_{m.add_sender(*this, id_, true)} {}
+      account_{m.add_sender(*this, id_, true)},
+      target_program_{target_program},
+      bystander_{bystander},
+      bystander_port_{bystander_port} {}
 
 void inspector::boot() {
     number_ = static_cast<std::uint16_t>(random_.next());
     holds_emergency_ = false;
     pulse_at_ = local();
     again_at_ = time::max();
+    asked_.clear();
 }
 
 void inspector::receive(const datagram& one) {
     const auto m = jaus::split(one.content());
-    if (!m || m.header.destination != id_ || m.header.source != target_ || !jaus::is_acknowledgement(m.header)) return;
+    if (!m || m.header.destination != id_ || m.header.source != target_) return;
+    if (!jaus::is_acknowledgement(m.header)) {
+        const auto count = std::erase_if(asked_, [&](const asked_report& each) {
+            return each.code == m.header.command_code && each.number == m.header.sequence_number;
+        });
+        if (count != 0) world_.compares(comparison::query_answered);
+        return;
+    }
     model_.learns(account_, m.header, m.header.ack_nak == jaus::ack_nak::ack);
 }
 
@@ -40,11 +52,12 @@ void inspector::run() {
     }
     if (now < again_at_) return;
     again_at_ = time::max();
-    send(bytes{last_}.first(last_size_));
+    network_.send(port(), target_port_, bytes{last_}.first(last_size_), last_number_);
 }
 
 void inspector::send(bytes message) {
-    network_.send(port(), target_port_, message, model_.hands_over(account_, message));
+    last_number_ = model_.hands_over(account_, message);
+    network_.send(port(), target_port_, message, last_number_);
 }
 
 jaus::header inspector::new_head() {
@@ -121,15 +134,46 @@ void inspector::set_time() {
     put(order);
 }
 
+// A query of the core services, which each component answers at once.
+template <class Message> void inspector::ask(const Message& query) {
+    put(query);
+    jaus::header head{};
+    if (!wire::decode_prefix(head, bytes{last_}) || head.experimental) return;
+    asked_.push_back({static_cast<std::uint16_t>(head.command_code + 0x2000), head.sequence_number, world_.now()});
+}
+
+template <class Message> void inspector::tell_bystander(const Message& message) {
+    static_cast<void>(jaus::put({.destination = bystander_, .source = id_, .sequence_number = ++number_}, message,
+                                [this](bytes whole) { network_.send(port(), bystander_port_, whole, 0); }));
+}
+
+void inspector::check() {
+    constexpr time to_answer = milliseconds{20}, before = std::chrono::seconds{1};
+    while (!asked_.empty() && world_.now() - asked_.front().at > to_answer) {
+        const auto one = asked_.front();
+        asked_.erase(asked_.begin());
+        const bool is_cut = network_.cut_since(port(), target_port_) || network_.cut_since(target_port_, port());
+        if (is_cut || !running() || !target_program_.running()) continue;
+        const time last =
+            std::max({jumped_at(), target_program_.jumped_at(), network_.disturbed_at(port(), target_port_)});
+        if (last + before > one.at) continue;
+        world_.compares(comparison::query_answered);
+        world_.breaks({.point = contract::availability,
+                       .who = number(),
+                       .expected = "an answer to a query of which nothing was lost",
+                       .found = "no report of command code " + std::to_string(one.code)});
+    }
+}
+
 void inspector::act() {
     constexpr std::array<std::uint16_t, 10> codes{0x0404, 0x0406, 0x0602, 0x0B00, 0x0E01,
                                                   0x0E02, 0x2404, 0x4404, 0xD200, 0x0011};
-    switch (random_.below(16)) {
-    case 0: return put(jaus::query_component_control{});
-    case 1: return put(jaus::query_component_authority{});
-    case 2: return put(jaus::query_component_status{});
+    switch (random_.below(20)) {
+    case 0: return ask(jaus::query_component_control{});
+    case 1: return ask(jaus::query_component_authority{});
+    case 2: return ask(jaus::query_component_status{});
     case 3:
-    case 4: return put(jaus::query_time{static_cast<std::uint8_t>(random_.below(8))});
+    case 4: return ask(jaus::query_time{static_cast<std::uint8_t>(random_.below(8))});
     case 5: return set_time();
     case 6: return put(jaus::set_component_authority{static_cast<std::uint8_t>(random_.below(256))});
     case 7: return put(jaus::request_component_control{static_cast<std::uint8_t>(random_.below(256))});
@@ -138,6 +182,15 @@ void inspector::act() {
     case 10: return put(jaus::report_heartbeat_pulse{});
     case 11: return move();
     case 12: return put(query_of_efforts(random_));
+    case 13: return ask(jaus::query_identification{jaus::query_type::component_identification});
+    case 14: return ask(jaus::query_services{});
+    case 15: return ask(jaus::query_heartbeat_pulse{});
+    case 16: {
+        if (random_.below(3) == 0) return tell_bystander(jaus::reject_component_control{});
+        const auto what = random_.below(2) == 0 ? jaus::component_control_response::control_accepted
+                                                : jaus::component_control_response::control_not_accepted;
+        return tell_bystander(jaus::confirm_component_control{what});
+    }
     default: return command_state();
     }
 }

@@ -53,9 +53,8 @@ void order_judge::gets(const jaus::header& head, bytes body) {
 
 void order_judge::has_handled(jaus::component_outcome what) {
     if (what != jaus::component_outcome::deferred || has_ended_) return;
-    // Set Emergency is executed each time; copies of one are acknowledged together.
-    const bool is_known = current_.head.command_code == jaus::command_code_of<jaus::set_emergency> &&
-                          std::ranges::find(open_, current_.head, &order::head) != open_.end();
+    // Copies of one message are acknowledged together.
+    const bool is_known = std::ranges::find(open_, current_.head, &order::head) != open_.end();
     if (!is_known) open_.push_back(current_);
 }
 
@@ -68,7 +67,8 @@ void order_judge::sends(bytes message) {
         const auto& of = one.head;
         if (of.source != head.destination) return false;
         if (jaus::is_acknowledgement(head))
-            return of.command_code == head.command_code && of.sequence_number == head.sequence_number;
+            return of.ack_nak == jaus::ack_nak::request && of.command_code == head.command_code &&
+                   of.sequence_number == head.sequence_number;
         return is_query(of.command_code) && of.command_code + 0x2000 == head.command_code;
     };
     if (head.command_code == jaus::command_code_of<jaus::report_component_status> && !jaus::is_acknowledgement(head))
@@ -93,7 +93,7 @@ const char* order_judge::cause_missing(const order& one, refusal why) const {
         return program_.local() - one.local_at < what_.order_timeout ? "it has not waited so long" : nullptr;
     case refusal::superseded: {
         const auto count = std::ranges::count_if(seen_, [&](const order& each) {
-            return each.at >= one.at && each.head.source == head.source && moves(each.head.command_code);
+            return each.at >= one.at && each.head.source == head.source && each.head.command_code == head.command_code;
         });
         return what_.axes == 0 && !what_.is_cyclic && count < 2 ? "none has come after it" : nullptr;
     }
@@ -109,7 +109,12 @@ const char* order_judge::cause_missing(const order& one, refusal why) const {
         return moves(head.command_code) && one.is_well_formed && is_quiet() && !is_in_emergency()
                    ? "nothing has happened to its slave"
                    : nullptr;
-    case refusal::not_accepted:
+    case refusal::not_accepted: {
+        // A newer command may take the place of one that the drives have not confirmed yet, with its time.
+        const auto count = std::ranges::count_if(
+            seen_, [&](const order& each) { return each.at >= one.at && moves(each.head.command_code); });
+        return is_quiet() && !is_in_emergency() && count < 2 ? "nothing has happened to its slaves" : nullptr;
+    }
     case refusal::stale: return is_quiet() && !is_in_emergency() ? "nothing has happened to its slaves" : nullptr;
     }
     return "there is no such cause";
@@ -128,6 +133,7 @@ void order_judge::refused(const jaus::header& head, refusal why) {
                one.head.sequence_number == head.sequence_number;
     };
     const auto found = std::ranges::find_if(open_, is_it);
+    if (why == refusal::not_translated) untranslated_at_ = world_.now();
     if (why == refusal::not_accepted) not_accepted_at_ = world_.now();
     const bool is_open = found != open_.end();
     if (!is_open && !is_it(current_)) return;
@@ -173,6 +179,7 @@ void order_judge::settled() { is_owed_ = may_be_settled_ = false; }
 
 void order_judge::slave_up(std::size_t slave) {
     up_.insert(slave);
+    up_at_ = world_.now();
     takes_keep_alive_ = true;
 }
 
@@ -214,6 +221,7 @@ void order_judge::check() {
     const time now = world_.now(), since = std::max(program_.jumped_at(), time{});
     if (now - checked_at_ < milliseconds{10}) return;
     checked_at_ = now;
+    if (is_in_emergency()) emergency_at_ = now;
     const auto is_awaited = [](const order& one) {
         const bool is_numbered = one.head.sequence_number != 0; // else it may be the repeat of one before
         return is_query(one.head.command_code) || (is_numbered && one.head.ack_nak == jaus::ack_nak::request);
@@ -226,7 +234,7 @@ void order_judge::check() {
         if (!is_awaited(one)) continue;
         world_.compares(comparison::order_ends);
         const time age = now - std::max(one.at, since);
-        const bool is_waited_for = !is_state_command(one.head.command_code) || is_quiet();
+        const bool is_waited_for = !is_state_command(one.head.command_code);
         // What waits for a slave that is lost is refused.
         if (!is_state_command(one.head.command_code) && one.at < lost_at_ &&
             now - std::max(lost_at_, since) > milliseconds{50})
@@ -234,7 +242,8 @@ void order_judge::check() {
         if (is_waited_for && age > seconds{3})
             return breaks(contract::s6, "an end of each message for a slave",
                           "none of " + text(one.head) + " for " + std::to_string(age / milliseconds{1}) + " ms");
-        if (is_quiet() && !is_in_emergency() && quiet() > age && age > to_serve)
+        const bool is_served = is_up() && now - std::max({one.at, up_at_, emergency_at_}) > to_serve;
+        if (is_served && is_quiet() && !is_in_emergency() && quiet() > age)
             return breaks(contract::availability, "a message for a slave to which nothing happens is executed in time",
                           text(one.head) + " is not, after " + std::to_string(age / milliseconds{1}) + " ms");
     }
@@ -244,6 +253,7 @@ void order_judge::check() {
 void order_judge::rests() {
     const auto& a = model_.actuator(what_.account);
     constexpr time lately = milliseconds{700};
+    if (!what_.is_cyclic && !takes_keep_alive_) return; // it stops by itself
     if (a.command == 0 || a.state != jaus::primary_status_code::ready || is_owed_ || is_in_emergency() || !is_quiet())
         return;
     world_.compares(comparison::efforts_kept);
@@ -282,13 +292,14 @@ void order_judge::check_return() {
                "it is not, after " + std::to_string(age / milliseconds{1}) + " ms");
 }
 
-// A slave by mailbox stops by itself without messages.
+// A slave by mailbox stops by itself without messages. The bridge counts one that has no translation as one that it
+// has sent.
 void order_judge::check_keep_alive() {
     if (what_.is_cyclic || !takes_keep_alive_ || !is_up() || !is_quiet()) return;
     constexpr time to_transfer = milliseconds{60};
     const auto& slave = (*model_.actuator(what_.account).wire)[what_.slaves.front()];
     world_.compares(comparison::kept_alive);
-    const time silence = world_.now() - slave.mailbox_written_at;
+    const time silence = world_.now() - std::max(slave.mailbox_written_at, untranslated_at_);
     if (silence > what_.keep_alive + to_transfer)
         breaks(contract::availability, "a message each 100 ms for a slave that stops by itself without one",
                "none for " + std::to_string(silence / milliseconds{1}) + " ms");

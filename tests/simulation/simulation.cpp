@@ -92,7 +92,9 @@ class jaus_system {
         add_foreign(component_of(5, 32), 4);
         if (has_inspector(what.seed))
             processes_.push_back(std::make_unique<inspector>(w, network_, model_, component_of(7, 32), unit_of_foreign,
-                                                             static_cast<std::uint8_t>(robot_of_foreign - 2)));
+                                                             static_cast<std::uint8_t>(robot_of_foreign - 2),
+                                                             *processes_[robot_of_foreign - 2U], component_of(1, 32),
+                                                             std::uint8_t{2}));
         network_.start();
         for (auto& one : processes_)
             if ((what.absent >> one->number() & 1U) == 0) one->start();
@@ -210,8 +212,9 @@ class bridge_system {
             add_operator(1, of_b);
         add_foreign(component_of(5, 32), "foreign operator");
         if (has_inspector(what.seed))
-            operators_.push_back(
-                std::make_unique<inspector>(w, network_, model_, component_of(7, 32), unit(of_foreign), of_foreign));
+            operators_.push_back(std::make_unique<inspector>(w, network_, model_, component_of(7, 32), unit(of_foreign),
+                                                             of_foreign, *bridge_, component_of(1, 32),
+                                                             static_cast<std::uint8_t>(made.units.size())));
         wire_.start(*bridge_);
         network_.start();
         bridge_->start();
