@@ -81,6 +81,7 @@ void order_judge::sends(bytes message) {
 
 const char* order_judge::cause_missing(const order& one, refusal why) const {
     const auto& head = one.head;
+    const bool was_in_emergency = is_in_emergency() || emergency_at_ + milliseconds{20} >= one.at;
     switch (why) {
     case refusal::slave_down: return is_up() ? "its slaves are there" : nullptr;
     case refusal::queue_full: {
@@ -106,16 +107,16 @@ const char* order_judge::cause_missing(const order& one, refusal why) const {
     case refusal::not_translated:
         return moves(head.command_code) && one.is_well_formed && is_quiet() ? "it is well-formed" : nullptr;
     case refusal::by_slave:
-        return moves(head.command_code) && one.is_well_formed && is_quiet() && !is_in_emergency()
+        return moves(head.command_code) && one.is_well_formed && is_quiet() && !was_in_emergency
                    ? "nothing has happened to its slave"
                    : nullptr;
     case refusal::not_accepted: {
         // A newer command may take the place of one that the drives have not confirmed yet, with its time.
         const auto count = std::ranges::count_if(
             seen_, [&](const order& each) { return each.at >= one.at && moves(each.head.command_code); });
-        return is_quiet() && !is_in_emergency() && count < 2 ? "nothing has happened to its slaves" : nullptr;
+        return is_quiet() && !was_in_emergency && count < 2 ? "nothing has happened to its slaves" : nullptr;
     }
-    case refusal::stale: return is_quiet() && !is_in_emergency() ? "nothing has happened to its slaves" : nullptr;
+    case refusal::stale: return is_quiet() && !was_in_emergency ? "nothing has happened to its slaves" : nullptr;
     }
     return "there is no such cause";
 }
