@@ -203,7 +203,7 @@ class peer_program final : public process {
             judge_.requests(mine_, provider, way, time{seconds{1}} / rate);
         }
     }
-    void check() {
+    void check() override {
         if (!running()) return;
         const auto* const present = node_->present();
         for (std::size_t i = 0; i != node_ids.size(); ++i) {
