@@ -635,9 +635,8 @@ void component_judge::has_run() {
 void component_judge::loses(const jaus::address& who) {
     begin(phase::loss);
     head_ = {};
-    const auto gone = std::ranges::remove_if(next_.holders, [&](const auto& one) { return matches(who, one); });
-    if (!gone.empty()) next_.is_anyones = true;
-    next_.holders.erase(gone.begin(), gone.end());
+    if (std::erase_if(next_.holders, [&](const jaus::address& one) { return matches(who, one); }) != 0)
+        next_.is_anyones = true;
     if (next_.controller && matches(who, next_.controller->address)) {
         next_.controller.reset();
         next_.moved_by.reset();
