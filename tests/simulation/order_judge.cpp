@@ -85,8 +85,9 @@ const char* order_judge::cause_missing(const order& one, refusal why) const {
     switch (why) {
     case refusal::slave_down: return is_up() ? "its slaves are there" : nullptr;
     case refusal::queue_full: {
+        // Copies of a report wait each for itself.
         const auto waiting = std::ranges::count_if(
-            open_, [&](const order& each) { return world_.now() - each.at <= what_.order_timeout; });
+            seen_, [&](const order& each) { return world_.now() - each.at <= what_.order_timeout; });
         return static_cast<std::size_t>(waiting) < queue_places ? "there are places in the queue" : nullptr;
     }
     case refusal::too_large: return one.size <= queue_share ? "it has a place" : nullptr;
@@ -282,7 +283,7 @@ void order_judge::check_return() {
     if (what_.is_shared) return;
     const auto& a = model_.actuator(what_.account);
     const time limit = what_.has_clocks ? seconds{6} : seconds{2};
-    const time age = std::min(quiet(), world_.now() - a.reset_at);
+    const time age = std::min({quiet(), world_.now() - a.reset_at, world_.now() - emergency_at_});
     if (age <= limit) return;
     world_.compares(comparison::slave_returns);
     if (!is_up())

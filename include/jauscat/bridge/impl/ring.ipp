@@ -954,12 +954,16 @@ JAUSCAT_FUNCTION void ring::rebuild_process_data(time_point now) {
         const auto* const record = master_.find(each.front->station());
         if (is_exchanged(each) && record != nullptr) records_[count++] = *record;
     }
+    const bool is_interrupted = data_.waits();
     data_.set_slaves(records_.first(count),
                      {.watch_slaves = true, .watch_together = true, .logical_base = logical_base_});
     // The outputs are those of the cycle that is due next: it keeps its time, also where the next ones are shorter.
     const bool had_process_data = std::exchange(has_process_data_, data_.image().size != 0);
     if (!cycles()) cycle_begun_.reset();
-    if (!cycles() || (!had_process_data && next_cycle_ > saturating_add(now, interval()))) next_cycle_ = now;
+    // A look at the states that is forgotten is taken again at once: the next one may be too late for the others.
+    const bool looks_again = is_interrupted && !is_periodic();
+    if (!cycles() || looks_again || (!had_process_data && next_cycle_ > saturating_add(now, interval())))
+        next_cycle_ = now;
     exchanged_ = count;
     for (place& each : places()) {
         const auto* const record = is_exchanged(each) ? master_.find(each.front->station()) : nullptr;
