@@ -526,6 +526,28 @@ TEST_CASE("a slave without messages gets heartbeats") {
     CHECK(beats <= 11);
 }
 
+namespace {
+struct unknown_to_the_table {
+    std::uint8_t value{};
+
+    struct schema : jauscat::wire::items {
+        static constexpr std::uint16_t command_code = 0xD001;
+        using type = layout<field<&unknown_to_the_table::value, u8>>;
+    };
+};
+} // namespace
+
+TEST_CASE("messages without translation do not replace the heartbeats of a slave") {
+    rig r{rig::ready{}};
+    r.motor().executed.clear();
+    for (int i = 0; i != 20; ++i) {
+        r.tell(unknown_to_the_table{});
+        r.run(50ms);
+    }
+    CHECK(r.watcher.refusals.back() == bridging::refusal::not_translated);
+    CHECK(std::ranges::count(r.motor().executed, jaus::command_code_of<jaus::report_heartbeat_pulse>) >= 8);
+}
+
 TEST_CASE("the end of the program stops every slave") {
     rig r{3};
     r.run_until_ready();

@@ -135,7 +135,6 @@ void order_judge::refused(const jaus::header& head, refusal why) {
                one.head.sequence_number == head.sequence_number;
     };
     const auto found = std::ranges::find_if(open_, is_it);
-    if (why == refusal::not_translated) untranslated_at_ = world_.now();
     if (why == refusal::not_accepted) not_accepted_at_ = world_.now();
     const bool is_open = found != open_.end();
     if (!is_open && !is_it(current_)) return;
@@ -224,6 +223,7 @@ void order_judge::check() {
     if (now - checked_at_ < milliseconds{10}) return;
     checked_at_ = now;
     if (is_in_emergency()) emergency_at_ = now;
+    if (is_in_emergency() || is_faulted_) hindered_at_ = now;
     const auto is_awaited = [](const order& one) {
         const bool is_numbered = one.head.sequence_number != 0; // else it may be the repeat of one before
         return is_query(one.head.command_code) || (is_numbered && one.head.ack_nak == jaus::ack_nak::request);
@@ -277,31 +277,31 @@ void order_judge::check_rest() {
                "rest, and there was none");
 }
 
-// Slaves to which nothing happens are brought up in time, and their component is ready or at rest by order.
+// Slaves to which nothing happens are brought up in time, and their component is ready or at rest by order. An
+// emergency or a drive's fault has ended before.
 void order_judge::check_return() {
     using enum jaus::primary_status_code;
     if (what_.is_shared) return;
     const auto& a = model_.actuator(what_.account);
     const time limit = what_.has_clocks ? seconds{6} : seconds{2};
-    const time age = std::min({quiet(), world_.now() - a.reset_at, world_.now() - emergency_at_});
+    const time age = std::min({quiet(), world_.now() - a.reset_at, world_.now() - hindered_at_});
     if (age <= limit) return;
     world_.compares(comparison::slave_returns);
     if (!is_up())
         breaks(contract::availability, "a slave to which nothing happens is used in time",
                "it is not, after " + std::to_string(age / milliseconds{1}) + " ms");
-    else if ((a.state == failure || a.state == initialize) && !is_in_emergency())
+    else if (a.state == failure || a.state == initialize)
         breaks(contract::availability, "a component whose slaves are used is ready in time",
                "it is not, after " + std::to_string(age / milliseconds{1}) + " ms");
 }
 
-// A slave by mailbox stops by itself without messages. The bridge counts one that has no translation as one that it
-// has sent.
+// A slave by mailbox stops by itself without messages.
 void order_judge::check_keep_alive() {
     if (what_.is_cyclic || !takes_keep_alive_ || !is_up() || !is_quiet()) return;
     constexpr time to_transfer = milliseconds{60};
     const auto& slave = (*model_.actuator(what_.account).wire)[what_.slaves.front()];
     world_.compares(comparison::kept_alive);
-    const time silence = world_.now() - std::max(slave.mailbox_written_at, untranslated_at_);
+    const time silence = world_.now() - slave.mailbox_written_at;
     if (silence > what_.keep_alive + to_transfer)
         breaks(contract::availability, "a message each 100 ms for a slave that stops by itself without one",
                "none for " + std::to_string(silence / milliseconds{1}) + " ms");

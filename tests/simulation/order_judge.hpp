@@ -82,10 +82,9 @@ class order_judge {
     order current_{};
     std::vector<order> open_{}, seen_{};
     std::set<std::size_t> up_{};
-    time stopped_at_{}, changed_control_at_{}, checked_at_{}, up_at_{}, lost_at_{}, not_accepted_at_{},
-        untranslated_at_{};
+    time stopped_at_{}, changed_control_at_{}, checked_at_{}, up_at_{}, lost_at_{}, not_accepted_at_{};
     jaus::control_change control_change_{};
-    time emergency_at_{};
+    time emergency_at_{}, hindered_at_{}; // last in an emergency; the same or faulted
     std::optional<time> rested_at_{};
     bool ends_{};
     bool is_owed_{}, may_be_settled_{}, is_faulted_{}, takes_keep_alive_{};

@@ -790,7 +790,8 @@ JAUSCAT_FUNCTION void ring::end_message(message_lane& lane, time_point now, jaus
                              .status = exchange.status(),
                              .of_master = ended.error};
     const bool answers = ended.is_done || is_of_slave(ended.error);
-    if (answers) at.next_keep_alive = saturating_add(now, at.front->timing().keep_alive);
+    const bool has_got_it = answers && why.why != refusal::not_translated;
+    if (has_got_it) at.next_keep_alive = saturating_add(now, at.front->timing().keep_alive);
     switch (task.what) {
     case purpose::order: end_order(task, ended, why, now, out); break;
     case purpose::stop: end_stop(task, ended.is_done, why, now, out); break;
