@@ -96,7 +96,7 @@ void component_judge::sends(bytes message) {
 void component_judge::enters(state_code from, state_code to) {
     const transition one{from, to};
     if (phase_ != phase::none) return entered_.push_back(one);
-    if (!is_own_change(one, nullptr)) breaks(contract::s5, "no change of the state", text(from) + " to " + text(to));
+    if (!is_own_change(one)) breaks(contract::s5, "no change of the state", text(from) + " to " + text(to));
     next_ = is_;
     enter(to);
     is_ = next_;
@@ -111,7 +111,7 @@ void component_judge::controlled(const std::optional<jaus::controller>& now, jau
 }
 
 // A bridge's component fails and returns by itself, and ends with its program.
-bool component_judge::is_own_change(const transition& one, const transition* before) const {
+bool component_judge::is_own_change(const transition& one) const {
     using enum primary_status_code;
     if (!what_.has_slaves) return false;
     const auto [from, to] = one;
@@ -119,7 +119,6 @@ bool component_judge::is_own_change(const transition& one, const transition* bef
     if (to == failure || to == primary_status_code::shutdown) return true;
     if (from == failure) return to == initialize;
     if (from == initialize) return to == ready;
-    static_cast<void>(before);
     return from == ready && to == primary_status_code::standby;
 }
 
@@ -548,7 +547,7 @@ void component_judge::compare_changes() {
     }
     for (; next < entered_.size(); ++next) {
         const auto& one = entered_[next];
-        if (one.from != next_.state || !is_own_change(one, nullptr))
+        if (one.from != next_.state || !is_own_change(one))
             breaks(contract::s5, "no change from " + text(next_.state), text(one.from) + " to " + text(one.to));
         enter(one.to);
     }

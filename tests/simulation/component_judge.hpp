@@ -137,7 +137,7 @@ class component_judge final : public unit_judge {
     [[nodiscard]] bool is_tracked(const jaus::header& head) const;
     void look_for_repeat(const jaus::header& head, bytes body);
     void expect_reply(const jaus::header& head, const auto& body);
-    [[nodiscard]] bool is_own_change(const transition& one, const transition* before) const;
+    [[nodiscard]] bool is_own_change(const transition& one) const;
     [[nodiscard]] bool has_capacity() const;
     void breaks(contract point, std::string expected, std::string found);
 
