@@ -44,10 +44,10 @@ int main(int argc, char** argv) {
     const auto lost = [](const jaus::partial_data_set& incomplete) {
         std::cout << "given up with " << incomplete.packets << " packets\n";
     };
+    const auto now = jauscat::net::now(); // of all packets: no pause of this program comes between them
     const auto receive = [&](std::span<const std::byte> packet) {
         const auto message = jaus::split(packet);
         if (!message) return;
-        const auto now = jauscat::net::now();
         const auto what = receiver.on_packet(message.header, message.body, now, take, lost);
         std::cout << "packet " << message.header.sequence_number << ", " << packet.size()
                   << " bytes: " << describe(what) << '\n';
