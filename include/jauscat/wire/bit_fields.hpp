@@ -53,10 +53,7 @@ template <auto Member, std::size_t Width> struct bit_field {
             return value(object) >> Width == 0;
     }
     JAUSCAT_INLINE static constexpr void assign(auto& object, std::uint64_t bits) noexcept {
-        if constexpr (is_signed)
-            member_of<Member>(object) = from_bits(bits);
-        else
-            member_of<Member>(object) = static_cast<value_type>(bits);
+        member_of<Member>(object) = from_bits(bits);
     }
     JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(bit_field{}, member_of<Member>(object));

@@ -27,7 +27,7 @@ template <auto Flag, class Item> struct gated_by {
     static consteval std::string_view name() { return item_label<Item>(); }
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
-        return member_of<key>(object).has_value() ? detail::size_of_item<Item>(object, here) : 0;
+        return member_of<key>(object).has_value() ? detail::sized<Item>::size(object, here) : 0;
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
         const bool there = look_up<Flag>(here);

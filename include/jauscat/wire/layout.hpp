@@ -44,12 +44,6 @@ JAUSCAT_INLINE constexpr bool spend(in_cursor& c, std::size_t size) noexcept {
     return true;
 }
 
-template <class Item> JAUSCAT_INLINE constexpr std::size_t size_of_item(const auto& object, const auto& here) noexcept {
-    if constexpr (Item::min_size == Item::max_size)
-        return Item::max_size;
-    else
-        return Item::size(object, here);
-}
 /// What tells the size of an item: one function for all items that take `Size` bytes.
 template <std::size_t Size> struct always_sized {
     JAUSCAT_INLINE static constexpr std::size_t size(const auto&, const auto&) noexcept { return Size; }

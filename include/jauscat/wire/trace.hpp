@@ -166,7 +166,7 @@ template <class Item> struct walk_over_whole {
     static constexpr bool put(const auto& object, auto& trace, [[maybe_unused]] const auto& here) {
         trace.reach(item_label<Item>(), fixed_item<Item> ? Item::max_size : 0);
         std::array<std::byte, Item::max_size == unbounded ? most_of_unbounded : Item::max_size> out{};
-        const std::size_t size = size_of_item<Item>(object, here);
+        const std::size_t size = sized<Item>::size(object, here);
         if (size <= out.size()) {
             out_cursor c{out.data(), errc::ok};
             put_item<Item>(object, c, here);
