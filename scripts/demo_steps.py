@@ -7,13 +7,14 @@ import pathlib
 import random
 import re
 import signal
-import socket
 import struct
 import subprocess
 import sys
 import tempfile
 import threading
 import time
+
+from free_ports import free_ports
 
 root = pathlib.Path(__file__).resolve().parent.parent
 wait_limit = 15  # seconds
@@ -142,13 +143,7 @@ class Demonstration:
         self.step_begin = 0
         self.problems = []
         self.steps = self.failures = 0
-        # Free ports, so that several demonstrations run beside each other.
-        sockets = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(6)]
-        for one in sockets:
-            one.bind(("127.0.0.1", 0))
-        *jaus, arm_port, self.drives_port, self.ethercat_port = (one.getsockname()[1] for one in sockets)
-        for one in sockets:
-            one.close()
+        *jaus, arm_port, self.drives_port, self.ethercat_port = free_ports(6)  # several demonstrations run beside each other
         config = (root / "examples/JausConfig.xml").read_text(encoding="utf-8")
         for system, port in enumerate(jaus):
             config = config.replace(f"<port>{39777 + system}<", f"<port>{port}<")

@@ -24,6 +24,9 @@ from selenium.webdriver.common.keys import Keys
 sys.dont_write_bytecode = True
 from browser import contrast, longest_wait, page, root, run_tests, test, unnamed_controls # noqa: E402
 
+sys.path.insert(0, str(root / "scripts"))
+from free_ports import free_ports # noqa: E402
+
 token = "a-token-of-the-test"
 
 
@@ -76,16 +79,6 @@ class program:
             raise
 
 
-def free_ports(kind, count):
-    sockets = [socket.socket(socket.AF_INET, kind) for _ in range(count)]
-    for one in sockets:
-        one.bind(("127.0.0.1", 0))
-    ports = [one.getsockname()[1] for one in sockets]
-    for one in sockets:
-        one.close()
-    return ports
-
-
 class robot:
     """An arm, its controller and an operator on loopback ports of their own. What a test has stopped, the next one starts again."""
 
@@ -93,8 +86,8 @@ class robot:
         self.bin, self.page = bin, page
         self.folder = tempfile.TemporaryDirectory()
         self.config = pathlib.Path(self.folder.name) / "JausConfig.xml"
-        *ports, self.slave_port = free_ports(socket.SOCK_DGRAM, 4)
-        self.web_port, self.bare_port = free_ports(socket.SOCK_STREAM, 2)
+        *ports, self.slave_port = free_ports(4)
+        self.web_port, self.bare_port = free_ports(2, socket.SOCK_STREAM)
         self.config.write_text("<jausconfig>\n  <thissystem>a</thissystem>\n" + "".join(
             f"  <system><name>{name}</name><jausip>{number}.0.0.0</jausip><ip>127.0.0.1</ip><port>{port}</port></system>\n"
             for number, (name, port) in enumerate(zip("abc", ports), 1)) + "</jausconfig>\n")
@@ -228,7 +221,7 @@ def a_served_page_begins_with_what_is_there(p):
 @test
 def components_are_known_by_their_reports(p):
     """To jausdump, too, which has neither a node nor a configuration."""
-    [jaus_port], [web_port] = free_ports(socket.SOCK_DGRAM, 1), free_ports(socket.SOCK_STREAM, 1)
+    [jaus_port], [web_port] = free_ports(1), free_ports(1, socket.SOCK_STREAM)
     p.robot.stop("jausdump")
     dump = p.robot.running["jausdump"] = program(p.robot.bin / "jausdump", "--listen", jaus_port, "--web", web_port, "--web-page", p.robot.page)
     dump.wait_for_line("live view at")
