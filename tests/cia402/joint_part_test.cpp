@@ -402,6 +402,24 @@ TEST_CASE("commands are executed by drives that need long to enable, and the las
     CHECK(d.answer(next) == jaus::ack_nak::ack);
 }
 
+TEST_CASE("commands that come faster than drives confirm them are executed, or replaced by the next") {
+    drives d{bridging::at_rest_within(100ms, 20ms)};
+    d.run_until_turning(1.0);
+    const auto between = GENERATE(5ms, 21ms, 35ms, 55ms);
+    const auto stops = d.watcher.stop_causes.size();
+    std::vector<std::uint16_t> numbers;
+    for (unsigned i = 0; i != 40; ++i) {
+        numbers.push_back(d.turn(1.0 + 0.01 * i));
+        d.run(between);
+    }
+    d.run_until([&] { return d.answer(numbers.back()).has_value(); }, 200ms);
+    CHECK(d.answer(numbers.back()) == jaus::ack_nak::ack);
+    const auto executed =
+        std::ranges::count_if(numbers, [&](std::uint16_t each) { return d.answer(each) == jaus::ack_nak::ack; });
+    CHECK(executed >= (between < 20ms ? 10 : 40)); // one in each cycle
+    CHECK(d.watcher.stop_causes.size() == stops);
+}
+
 TEST_CASE("a command that waits for its drives is not executed when another component gets control") {
     drives d;
     d.on_step = [&] { // brakes that do not open

@@ -111,12 +111,7 @@ const char* order_judge::cause_missing(const order& one, refusal why) const {
         return moves(head.command_code) && one.is_well_formed && is_quiet() && !was_in_emergency
                    ? "nothing has happened to its slave"
                    : nullptr;
-    case refusal::not_accepted: {
-        // A newer command may take the place of one that the drives have not confirmed yet, with its time.
-        const auto count = std::ranges::count_if(
-            seen_, [&](const order& each) { return each.at >= one.at && moves(each.head.command_code); });
-        return is_quiet() && !was_in_emergency && count < 2 ? "nothing has happened to its slaves" : nullptr;
-    }
+    case refusal::not_accepted:
     case refusal::stale: return is_quiet() && !was_in_emergency ? "nothing has happened to its slaves" : nullptr;
     }
     return "there is no such cause";

@@ -102,7 +102,7 @@ template <std::size_t Joints> class joint_part final : public process_part {
         group_.change_period(period);
         if (!group_.is_usable() || !cia402::interpolation_period_of(period)) return translate::errc::out_of_range;
         period_ = period;
-        executed_ = number_;
+        forget_progress();
         return {};
     }
     void change_period(duration period) override { group_.change_period(period); }
@@ -115,7 +115,6 @@ template <std::size_t Joints> class joint_part final : public process_part {
                                                 time_point) override {
         group_.clear_emergency(); // the component has left it
         if (const auto taken = group_.command(head.command_code, body); !taken) return errc_of(taken.error());
-        progress_ = progress::none;
         is_stop_ = false;
         return ++number_;
     }
@@ -126,15 +125,15 @@ template <std::size_t Joints> class joint_part final : public process_part {
             group_.emergency();
         else
             group_.stop();
-        progress_ = progress::none;
+        forget_progress();
         is_stop_ = true;
-        executed_ = number_++;
+        ++number_;
         exchange(slaves, last_); // the outputs of the next frame
         for (std::size_t i = 0; i != Joints; ++i) speeds_[i] = speed_of(i);
         return number_;
     }
     [[nodiscard]] bool is_braking(slave_group slaves) override {
-        bool all = is_stop_ && progress_ == progress::answered;
+        bool all = is_stop_ && answered_ == number_;
         for (std::size_t i = 0; i != Joints; ++i) {
             const bool is_at_rest = slaves[joints_[i].slave].outputs.empty() || group_.is_at_rest(i);
             const double speed = speed_of(i);
@@ -161,7 +160,7 @@ template <std::size_t Joints> class joint_part final : public process_part {
     std::optional<drive_fault> step(slave_group slaves, time_point now) override {
         exchange(slaves, now);
         advance(slaves, now);
-        if (progress_ == progress::answered && (!is_stop_ || is_at_rest(slaves))) executed_ = number_;
+        if (!is_stop_ || (answered_ == number_ && is_at_rest(slaves))) executed_ = answered_;
         for (std::size_t i = 0; i != Joints; ++i)
             if (const auto fault = fault_of(i)) return fault;
         return std::nullopt;
@@ -178,12 +177,9 @@ template <std::size_t Joints> class joint_part final : public process_part {
     static constexpr std::size_t most_drives = Joints;
     static constexpr double most_seconds = 1e9;
 
-    /// How far the last command or stop order has come.
-    enum class progress : std::uint8_t {
-        none,       // not in the outputs of all drives
-        in_outputs, // of frames sent from now on
-        delivered,  // all drives have got it
-        answered,   // and the inputs are later than that
+    struct place_of_order {
+        std::uint32_t number{}; ///< of the command or stop order
+        time_point since{};
     };
 
     // f(slave, place, is_output)
@@ -267,17 +263,19 @@ template <std::size_t Joints> class joint_part final : public process_part {
             if (!slaves[joints_[i].slave].outputs.empty() && !group_.is_at_rest(i)) return false;
         return true;
     }
+    /// An order is executed when inputs are later than its delivery to all drives, also where the next one has replaced
+    /// it in the outputs since then.
     void advance(slave_group slaves, time_point now) noexcept {
         if (!is_stop_ && !group_.has_targets()) {
-            progress_ = progress::none;
-        } else if (progress_ == progress::none) {
-            progress_ = progress::in_outputs;
-            advanced_at_ = now;
-        } else if (progress_ != progress::answered && have_run_since(slaves, advanced_at_)) {
-            progress_ = progress_ == progress::in_outputs ? progress::delivered : progress::answered;
-            advanced_at_ = now;
+            in_outputs_.number = delivered_.number = answered_;
+            return;
         }
+        if (delivered_.number != answered_ && have_run_since(slaves, delivered_.since)) answered_ = delivered_.number;
+        if (in_outputs_.number != delivered_.number && have_run_since(slaves, in_outputs_.since))
+            delivered_ = {in_outputs_.number, now};
+        if (number_ != in_outputs_.number) in_outputs_ = {number_, now};
     }
+    void forget_progress() noexcept { in_outputs_.number = delivered_.number = answered_ = executed_ = number_; }
     /// A frame sent after `then` has returned and found all drives running that are not lost.
     [[nodiscard]] bool have_run_since(slave_group slaves, time_point then) const noexcept {
         return std::ranges::all_of(joints_, [&](const joint_options& each) {
@@ -308,10 +306,10 @@ template <std::size_t Joints> class joint_part final : public process_part {
     std::array<double, Joints> speeds_{};   // at the last stop order, or since is_braking was asked
     std::array<char, 160> misfit_{};
     time_point last_{};
-    std::uint32_t number_{}, executed_{};
+    std::uint32_t number_{};                    // of the last command or stop order
+    place_of_order in_outputs_{}, delivered_{}; // in the outputs of all frames sent since then; to all drives
+    std::uint32_t answered_{}, executed_{};     // the last before the last inputs; and a stop order only at rest
     bool is_stop_{};
-    progress progress_{};
-    time_point advanced_at_{};
 };
 
 } // namespace jauscat::bridging
