@@ -60,6 +60,8 @@ class arm_unit final : public device {
     }
     /// It has said that it has no such object: who believes that does not tell it of emergencies any more.
     [[nodiscard]] bool denies_objects() const noexcept { return denies_objects_; }
+    /// With which it has last refused something.
+    [[nodiscard]] ethercat::abort_code last_abort() const noexcept { return direct_.last_abort(); }
     [[nodiscard]] bool is_aborting() const noexcept { return aborts_ != 0; }
     /// Whether there was one since the last call.
     bool take_aborted() noexcept { return std::exchange(aborted_, false); }

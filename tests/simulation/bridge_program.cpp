@@ -70,6 +70,8 @@ struct bridge_program::unit {
           node{configuration_of(program.places_, i),
                {},
                [&program, i](bytes message, const net::node_machine::endpoint& to, jaus::framing) {
+                   ++program.deeds_;
+                   program.last_deed_ = "a message of a node";
                    program.network_.send(static_cast<std::uint8_t>(i), port_of(to), message, 0);
                },
                program.random_.next()} {
@@ -87,6 +89,7 @@ struct bridge_program::unit {
             exchanges.emplace_back(identity);
             orders.emplace_back();
             fronts.emplace_back(made, exchanges.back(), options, orders.back(), watcher);
+            fronts.back().on_work(program.on_work_);
             group.push_back(&fronts.back());
         }
         const auto id = unit_id(program.places_[i]);
@@ -119,56 +122,130 @@ struct bridge_program::life_data {
           options{program.settings_.options(
               *std::ranges::min_element(program.settings_.units, {}, &unit_settings::limit))} {}
     void changed_state(const bridging::component& who, jaus::primary_status_code from, jaus::primary_status_code to) {
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
         mine.model_.enters(account(who), from, to);
         judge(who).enters(from, to);
     }
     void changed_controller(const bridging::component& who, jaus::control_change why) {
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
         const auto& now = who.control().controller();
         judge(who).controlled(now, why);
         orders(who).changed_controller(why);
         mine.model_.controlled(account(who), now ? std::optional{now->address} : std::nullopt);
     }
     void refused(const bridging::component& who, const jaus::header& message, const bridging::refusal_reason& why) {
+        if (why.why == bridging::refusal::not_accepted) mine.has_more_ = true;
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
         mine.model_.drops(account(who), message, text_of(why.why));
-        orders(who).refused(message, why.why);
+        orders(who).refused(message, why);
     }
     void merged(const bridging::component& who, const jaus::header& message) {
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
         mine.model_.merges(account(who), message);
+        orders(who).merged(message);
     }
     void stop_required(const bridging::component& who, bridging::stop_order what, bridging::stop_cause why) {
+        mine.has_more_ = true;
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
         tell({.what = deed::owes_stop,
               .who = number(who),
               .number = static_cast<std::uint16_t>(what),
               .why = text_of(why)});
-        orders(who).stop_required(why);
+        orders(who).stop_required(what, why);
     }
-    void stop_refused(const bridging::component& who, bridging::stop_order what, const bridging::refusal_reason&,
+    void stop_refused(const bridging::component& who, bridging::stop_order what, const bridging::refusal_reason& why,
                       unsigned attempts) {
+        if (why.why == bridging::refusal::not_accepted) mine.has_more_ = true;
+        mine.has_more_ = true;
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
         tell({.what = deed::stop_refused,
               .who = number(who),
               .number = static_cast<std::uint16_t>(what),
               .value = attempts});
-        orders(who).stop_refused();
+        orders(who).stop_refused(what, why, attempts);
     }
     void settled(const bridging::component& who) {
+        mine.has_more_ = true;
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
         tell({.what = deed::settled, .who = number(who)});
         orders(who).settled();
     }
-    void faulted(const bridging::component& who, const bridging::drive_fault&) { orders(who).faulted(true); }
-    void fault_ended(const bridging::component& who) { orders(who).faulted(false); }
-    void bring_up_failed(const bridging::slave_front& slave, const jauscat::ethercat::master_error&) {
-        orders(slave).bring_up_failed();
+    void faulted(const bridging::component& who, const bridging::drive_fault& what) {
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
+        orders(who).faulted(what);
     }
-    void slave_up(const bridging::slave_front& slave, const jauscat::ethercat::slave_record&, bool ready) {
+    void fault_ended(const bridging::component& who) {
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
+        orders(who).fault_ended();
+    }
+    void bring_up_failed(const bridging::slave_front& slave, const ethercat::master_error& why) {
+        mine.has_more_ = true;
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
+        orders(slave).bring_up_failed();
+        judge(slave).failed(why, bus->bring_up_error(slave));
+    }
+    void slave_up(const bridging::slave_front& slave, const ethercat::slave_record& record, bool ready) {
+        mine.has_more_ = true;
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
         slaves_changed_at = mine.world_.now();
+        judge(slave).up(record, ready, bus->bring_up_error(slave));
         if (!ready) return;
         tell({.what = deed::uses_slave, .who = mine.number(), .whom = number(slave)});
         orders(slave).slave_up(slave.options().position);
     }
-    void no_keep_alive(const bridging::slave_front& slave, const bridging::refusal_reason&) {
-        orders(slave).no_keep_alive();
+    void slave_emergency(const bridging::slave_front& slave, const ethercat::coe_emergency& what) {
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
+        judge(slave).emergency(what);
     }
-    void slave_lost(const bridging::slave_front& slave, bridging::loss what, const jauscat::ethercat::master_error&) {
+    void clocks_agree(const bridging::slave_front& slave, ethercat::clock_agreement how, std::uint32_t difference) {
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
+        judge(slave).agrees(how, difference);
+    }
+    void translated(const bridging::slave_front& slave, bytes packet) {
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
+        judge(slave).packet(packet, false);
+    }
+    void asks_report(const bridging::slave_front& slave, bytes packet) {
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
+        judge(slave).packet(packet, true);
+    }
+    void into_image(const bridging::slave_front& slave, std::uint32_t count, bytes outputs) {
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
+        judge(slave).into_image(count, outputs, slave.data().outputs);
+    }
+    void from_image(const bridging::slave_front& slave, bytes inputs) {
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
+        judge(slave).from_image(inputs, slave.data().inputs);
+        orders(slave).reads_inputs();
+    }
+    void no_keep_alive(const bridging::slave_front& slave, const bridging::refusal_reason& why) {
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
+        orders(slave).no_keep_alive();
+        judge(slave).no_keep_alive(why);
+    }
+    void slave_lost(const bridging::slave_front& slave, bridging::loss what, const ethercat::master_error& why) {
+        mine.has_more_ = true;
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
+        judge(slave).lost(what, why, bus->bring_up_error(slave));
         tell({.what = deed::loses_slave, .who = mine.number(), .whom = number(slave), .why = text_of(what)});
         slaves_changed_at = mine.world_.now();
         orders(slave).slave_lost(slave.options().position);
@@ -184,6 +261,8 @@ struct bridge_program::life_data {
         return {.slave_up = jaus::bound<&life_data::slave_up>(*this),
                 .bring_up_failed = jaus::bound<&life_data::bring_up_failed>(*this),
                 .slave_lost = jaus::bound<&life_data::slave_lost>(*this),
+                .slave_emergency = jaus::bound<&life_data::slave_emergency>(*this),
+                .clocks_agree = jaus::bound<&life_data::clocks_agree>(*this),
                 .no_keep_alive = jaus::bound<&life_data::no_keep_alive>(*this),
                 .changed_state = jaus::bound<&life_data::changed_state>(*this),
                 .changed_controller = jaus::bound<&life_data::changed_controller>(*this),
@@ -192,7 +271,11 @@ struct bridge_program::life_data {
                 .settled = jaus::bound<&life_data::settled>(*this),
                 .faulted = jaus::bound<&life_data::faulted>(*this),
                 .fault_ended = jaus::bound<&life_data::fault_ended>(*this),
+                .translated = jaus::bound<&life_data::translated>(*this),
+                .asks_report = jaus::bound<&life_data::asks_report>(*this),
+                .into_image = jaus::bound<&life_data::into_image>(*this),
                 .merged = jaus::bound<&life_data::merged>(*this),
+                .from_image = jaus::bound<&life_data::from_image>(*this),
                 .refused = jaus::bound<&life_data::refused>(*this)};
     }
     [[nodiscard]] std::size_t index(const bridging::component& who) const {
@@ -203,6 +286,9 @@ struct bridge_program::life_data {
     [[nodiscard]] std::uint8_t account(const bridging::component& who) const { return mine.accounts_[index(who)]; }
     [[nodiscard]] component_judge& judge(const bridging::component& who) const { return *mine.judges_[index(who)]; }
 
+    [[nodiscard]] slave_judge& judge(const bridging::slave_front& slave) const {
+        return *mine.slaves_[slave.options().position];
+    }
     [[nodiscard]] order_judge& orders(const bridging::component& who) const { return *mine.orders_[index(who)]; }
     [[nodiscard]] order_judge& orders(const bridging::slave_front& slave) const {
         const auto account = mine.places_of_slaves_[slave.options().position].first;
@@ -213,14 +299,32 @@ struct bridge_program::life_data {
     bridge_program& mine;
     bridging::bridge_options options;
     std::deque<unit> units{};
-    std::optional<bridging::ring_for<16, 4096, 16, 16>> bus{};
+    void cycle() const {
+        ++mine.cycles_of_others_;
+        ++mine.deeds_;
+        mine.last_deed_ = __func__;
+    }
+    /// With fewer lanes, or without memory for steps of many slaves at once.
+    [[nodiscard]] bridging::ring_memory some_memory() {
+        auto made = memory.spans();
+        made.lanes = made.lanes.first(mine.settings_.lanes);
+        if (mine.settings_.is_one_by_one) {
+            made.bring_ups = {};
+            made.configurations = {};
+            made.state_changes = {};
+            made.positions = {};
+        }
+        return made;
+    }
+    bridging::ring_memory_for<16, 4096, bridge_settings::most_lanes, 16> memory{};
+    std::optional<bridging::ring> bus{};
     bool ends{};
     time ends_since{}, slaves_changed_at{};
 };
 
 bridge_program::bridge_program(world& w, network& n, model& m, const std::vector<place>& places, ring& wire,
                                const bridge_settings& what)
-    : process{w, n, "bridge"}, model_{m}, places_{places}, wire_{wire}, settings_{what} {
+    : process{w, n, "bridge"}, model_{m}, places_{places}, wire_{wire}, settings_{what}, idle_random_{w.stream(1013)} {
     if (what.is_shared) application_.emplace(w, wire, *this, number(), to_give_up);
     places_of_slaves_.resize(wire.size());
     for (std::size_t i = 0; i != what.units.size(); ++i) {
@@ -240,17 +344,32 @@ bridge_program::bridge_program(world& w, network& n, model& m, const std::vector
                                                                .timeout = what.options(one).control_timeout,
                                                                .remembered = 4096,
                                                                .has_slaves = true}));
-        orders_.push_back(std::make_unique<order_judge>(w, m, *this,
-                                                        judged_orders{.account = accounts_.back(),
-                                                                      .slaves = one.slaves,
-                                                                      .axes = one.axes,
-                                                                      .is_cyclic = one.cyclic,
-                                                                      .is_shared = what.is_shared,
-                                                                      .has_clocks = what.has_clocks,
-                                                                      .order_timeout = what.options(one).order_timeout,
-                                                                      .keep_alive = what.options(one).keep_alive}));
+        orders_.push_back(
+            std::make_unique<order_judge>(w, m, *this,
+                                          judged_orders{.account = accounts_.back(),
+                                                        .slaves = one.slaves,
+                                                        .axes = one.axes,
+                                                        .is_cyclic = one.cyclic,
+                                                        .is_shared = what.is_shared,
+                                                        .has_clocks = what.has_clocks,
+                                                        .order_timeout = what.options(one).order_timeout,
+                                                        .keep_alive = what.options(one).keep_alive,
+                                                        .stop_interval = what.options(one).stop_interval}));
         m.stands_behind(accounts_.back(), static_cast<std::uint8_t>(i), wire, std::move(axes), what.times(one));
     }
+    slaves_.resize(wire.size());
+    for (std::size_t i = 0; i != what.units.size(); ++i)
+        for (const std::size_t slave : what.units[i].slaves)
+            slaves_[slave] =
+                std::make_unique<slave_judge>(w, m, wire, *this,
+                                              judged_slave{.place = slave,
+                                                           .account = accounts_[i],
+                                                           .is_cyclic = what.units[i].cyclic,
+                                                           .is_shared = what.is_shared,
+                                                           .checks_serial = what.checks_serials,
+                                                           .has_clock = what.has_clocks && what.units[i].axes != 0,
+                                                           .period = what.period,
+                                                           .timing = what.options(what.units[i])});
 }
 bridge_program::~bridge_program() = default;
 
@@ -283,11 +402,17 @@ ring_times bridge_settings::times(const unit_settings& of) const {
 
 void bridge_program::boot() {
     data_ = std::make_unique<life_data>(*this);
-    data_->bus.emplace(data_->options);
+    data_->bus.emplace(data_->options, data_->some_memory());
+    bridging::shared_jobs others{};
     if (application_) {
         application_->start();
-        data_->bus->share(application_->jobs());
+        others = application_->jobs();
     }
+    others.cycle = jaus::bound<&life_data::cycle>(*data_);
+    data_->bus->share(others);
+    for (auto& each : slaves_) each->starts();
+    cycles_of_others_ = 0;
+    is_settled_ = has_window_ = false;
     for (std::size_t i = 0; i != accounts_.size(); ++i) {
         auto& one = data_->units.emplace_back(*this, i, data_->observer());
         one.watched.seen_in = [this, &one, i](const jaus::header& head, bytes body) {
@@ -312,6 +437,7 @@ void bridge_program::boot() {
         one.node.start(now());
     }
     world_.in(world_.faults.pause(fault::bridge_ended, std::chrono::seconds{10}), *this, to_end, life());
+    world_.in(idle_random_.between({}, milliseconds{20}), *this, to_look, life());
 }
 
 void bridge_program::kill() { data_.reset(); }
@@ -319,6 +445,7 @@ void bridge_program::kill() { data_.reset(); }
 void bridge_program::check() {
     for (auto& each : judges_) each->check();
     for (auto& each : orders_) each->check();
+    for (auto& each : slaves_) each->check();
 }
 
 void bridge_program::receive(const datagram& one) {
@@ -347,25 +474,124 @@ std::optional<time> bridge_program::next() {
 void bridge_program::frame_returns(bytes frame) {
     if (!running()) return; // its socket is full of them when it goes on; a frame that old is of no use
     const auto out = [this](bytes message) { put(message); };
+    has_more_ = false;
     data_->bus->on_frame(frame, now(), out);
     send_frames();
+    look_at_idle_turn();
     rearm();
 }
 
 // What the ring makes of news.
 void bridge_program::pump() {
     const auto out = [this](bytes message) { put(message); };
+    has_more_ = false;
     data_->bus->on_time(now(), out);
     send_frames();
+    look_at_idle_turn();
+}
+
+// A ring that has nothing to do before some time does nothing before, however often it is asked: it has done at once
+// what could be done, and says when there is more. What follows from the end of a job is done in the next turn.
+void bridge_program::look_at_idle_turn() {
+    const auto sum = data_->bus->statistics();
+    const auto frames = sum.sent + sum.received + sum.lost;
+    const auto begun = data_->bus->cycle_begun();
+    is_settled_ = std::exchange(frames_of_jobs_, frames) == frames && std::exchange(cycle_begun_, begun) == begun;
+    if (std::exchange(has_more_, false)) is_settled_ = false;
+    if (idle_random_.below(4) == 0) drive_idle(false);
+}
+
+void bridge_program::drive_idle(bool with_nodes) {
+    const auto at = now();
+    const auto due = data_->bus->next_event();
+    if (due && *due <= at) return;
+    if (application_) application_->waits(true);
+    const auto before = deeds_;
+    const bool waits = std::ranges::any_of(orders_, [](const auto& each) { return each->waits_for_attempt(); });
+    has_more_ = false;
+    data_->bus->on_time(at, [this](bytes message) { put(message); });
+    const auto size = data_->bus->next_frame(frame_, at);
+    const char* found = size != 0 ? "a frame" : deeds_ != before ? last_deed_ : nullptr;
+    if (found == nullptr && data_->bus->next_event() != due) found = "another time for the next event";
+    if (size != 0) wire_.send(bytes{frame_}.first(size));
+    if (application_) application_->waits(false);
+    const bool was_settled = std::exchange(is_settled_, found == nullptr && !has_more_) && !has_more_ && !waits;
+    if (was_settled) world_.compares(comparison::turn_idle);
+    if (!was_settled) return send_frames();
+    if (found == nullptr && with_nodes) found = drive_nodes();
+    if (found == nullptr) return;
+    world_.breaks({.point = contract::s6,
+                   .who = number(),
+                   .expected = "nothing to do in a turn in which nothing is due",
+                   .found = found});
+}
+
+const char* bridge_program::drive_nodes() {
+    const auto at = now();
+    for (auto& one : data_->units) {
+        const auto due = one.node.next_event();
+        if (due && *due <= at) continue;
+        const auto before = deeds_;
+        one.node.on_time(at);
+        if (deeds_ != before && !is_woken_) return last_deed_;
+    }
+    is_woken_ = false;
+    return nullptr;
 }
 
 void bridge_program::send_frames() {
     while (const auto size = data_->bus->next_frame(frame_, now())) {
         look_at_cycle(bytes{frame_}.first(size));
+        look_at_job(bytes{frame_}.first(size));
         wire_.send(bytes{frame_}.first(size));
     }
     if (data_->ends && data_->bus->at_rest() && world_.now() - data_->ends_since > milliseconds{50})
         world_.at(world_.now(), *this, to_kill, life());
+}
+
+// What only keeps slaves from stopping is told from what a log needs. A life has its process image elsewhere than the
+// one before.
+void bridge_program::look_at_job(bytes frame) {
+    constexpr std::size_t command_at = 16, window_at = 20;
+    const auto command = std::to_integer<unsigned>(frame[command_at]);
+    const bool is_logical = command >= 10 && command <= 12;
+    if (is_logical && !std::exchange(has_window_, true)) {
+        const std::uint32_t window =
+            std::to_integer<unsigned>(frame[window_at]) | std::to_integer<unsigned>(frame[window_at + 1]) << 8U;
+        windows_ = windows_ << 16U | window;
+        const bool is_known = life() > 2 && (windows_ >> 32U & 0xFFFFU) == window &&
+                              (windows_ >> 16U & 0xFFFFU) == window; // two may be equal
+        if (is_known)
+            world_.breaks({.point = contract::s7,
+                           .who = number(),
+                           .expected = "a process image elsewhere than in the lives before",
+                           .found = "at " + std::to_string(window) + " again"});
+    }
+    const bool is_idle = data_->bus->master().idle();
+    const auto is_carrying = [](const bridging::slave_front& each) { return each.carried().has_value(); };
+    const bool carries = std::ranges::any_of(
+        data_->units, [&](const unit& one) { return std::ranges::any_of(one.fronts, is_carrying); });
+    const bool keeps_alive = data_->bus->keeps_alive();
+    const auto fail = [&](const char* found) {
+        world_.breaks({.point = contract::availability,
+                       .who = number(),
+                       .expected = "whether frames only keep slaves from stopping",
+                       .found = found});
+    };
+    world_.compares(comparison::keep_alive_told);
+    if (keeps_alive && (!is_idle || carries)) fail("they do, and a job or a message goes on");
+    // A message to a mailbox.
+    constexpr unsigned fpwr = 5;
+    const unsigned address =
+        std::to_integer<unsigned>(frame[window_at]) | std::to_integer<unsigned>(frame[window_at + 1]) << 8U;
+    const bool is_message = command == fpwr && address == ethercat::slave_description{}.mailbox_out_offset;
+    const bool is_quiet = model_.quiet_for(accounts_.front()) > std::chrono::seconds{1}; // nothing is given up
+    const bool is_of_job = is_message && is_idle && !carries && is_quiet;
+    const bool is_settled =
+        std::ranges::all_of(data_->units, [](const unit& one) { return one.component.stops().settled(); });
+    bool has_emergencies = false;
+    for (std::size_t i = 0; i != wire_.size(); ++i) has_emergencies = has_emergencies || !wire_[i].emergencies.empty();
+    if (is_of_job && is_settled && !has_emergencies && !keeps_alive) fail("they do not, and nothing else goes on");
 }
 
 // Process data are sent each period, where nothing happens; and the times of the cycle are those that are seen.
@@ -375,6 +601,7 @@ void bridge_program::look_at_cycle(bytes frame) {
     const bool is_logical = command >= 10 && command <= 12;
     if (!is_logical || world_.now() == cycle_at_) return;
     const time last = std::exchange(cycle_at_, world_.now());
+    const unsigned cycles = std::exchange(cycles_of_others_, 0);
     if (data_->slaves_changed_at + std::chrono::seconds{1} > world_.now() || data_->ends) return;
     if (model_.quiet_for(accounts_.front()) <= std::chrono::seconds{1}) return;
     world_.compares(comparison::cycle_kept);
@@ -386,6 +613,8 @@ void bridge_program::look_at_cycle(bytes frame) {
     };
     const time took = world_.now() - last, off = took - settings_.period;
     if (std::max(off, -off) > settings_.period / 4) fail("process data each period", took);
+    world_.compares(comparison::others_called);
+    if (cycles != 1) fail("one cycle of others in each period", time{std::chrono::microseconds{cycles}});
     const auto& times = data_->bus->times();
     if (times.late > milliseconds{1} || times.late < time{}) fail("a cycle that begins in time", times.late);
     if (times.round_trip > milliseconds{2} || times.round_trip < std::chrono::microseconds{30})
@@ -400,6 +629,8 @@ void bridge_program::put(bytes message) {
     for (std::size_t i = 0; i != data_->units.size(); ++i) {
         auto& one = data_->units[i];
         if (one.component.self() != parts.header.source) continue;
+        ++deeds_;
+        last_deed_ = "put";
         model_.answers(accounts_[i], message);
         judges_[i]->sends(message);
         orders_[i]->sends(message);
@@ -437,6 +668,10 @@ void bridge_program::own_event(std::uint8_t what, std::uint32_t argument) {
         return;
     }
     if (argument != life() || !data_) return;
+    if (what == to_look) {
+        if (running()) drive_idle(true);
+        return world_.in(idle_random_.between({}, milliseconds{20}), *this, to_look, life());
+    }
     if (what == to_kill) {
         if (!running()) return world_.in(milliseconds{10}, *this, to_kill, argument);
         for (std::size_t i = 0; i != accounts_.size(); ++i) model_.ends(accounts_[i], data_->ends_since);

@@ -7,6 +7,7 @@
 #include "simulation/node_program.hpp"
 #include "simulation/order_judge.hpp"
 #include "simulation/ring.hpp"
+#include "simulation/slave_judge.hpp"
 #include <jauscat/bridge/ring.hpp>
 #include <jauscat/bridge/wrench_effort_part.hpp>
 
@@ -42,9 +43,12 @@ struct unit_settings {
 struct bridge_settings {
     std::vector<unit_settings> units{};
     time period{std::chrono::milliseconds{10}};
-    bool has_clocks{};     ///< drives have SYNC signals, each period
-    bool is_shared{};      ///< its application uses the master, too
-    bool checks_serials{}; ///< a slave at the place of another is not brought up
+    bool has_clocks{};             ///< drives have SYNC signals, each period
+    bool is_shared{};              ///< its application uses the master, too
+    bool checks_serials{};         ///< a slave at the place of another is not brought up
+    std::size_t lanes{most_lanes}; ///< so many slaves get messages by mailbox at the same time
+    bool is_one_by_one{};          ///< slaves are brought up one after the other
+    static constexpr std::size_t most_lanes = 16;
     [[nodiscard]] bridging::bridge_options options(const unit_settings& of) const;
     [[nodiscard]] ring_times times(const unit_settings& of) const;
 };
@@ -72,7 +76,7 @@ class bridge_program final : public process, public frame_user {
     void own_event(std::uint8_t what, std::uint32_t argument) override;
 
   private:
-    enum : std::uint8_t { to_end = first_own_event, to_kill, to_give_up };
+    enum : std::uint8_t { to_end = first_own_event, to_kill, to_give_up, to_look };
     struct unit;
     struct life_data;
 
@@ -80,6 +84,13 @@ class bridge_program final : public process, public frame_user {
     void send_frames();
     void put(bytes message);
     void look_at_cycle(bytes frame);
+    void look_at_job(bytes frame);
+    /// Turns in which nothing is due.
+    void drive_idle(bool with_nodes);
+    void look_at_idle_turn();
+    void has_work() { has_more_ = is_woken_ = true; }
+    /// What they have done; a literal, nullptr: nothing.
+    [[nodiscard]] const char* drive_nodes();
     void look_after(unit& one);
 
     model& model_;
@@ -90,11 +101,24 @@ class bridge_program final : public process, public frame_user {
     std::vector<std::uint8_t> accounts_{};
     std::vector<std::unique_ptr<order_judge>> orders_{};                   ///< of each account
     std::vector<std::unique_ptr<component_judge>> judges_{};               ///< of each account
+    std::vector<std::unique_ptr<slave_judge>> slaves_{};                   ///< of each slave
     std::vector<std::pair<std::uint8_t, std::size_t>> places_of_slaves_{}; ///< account and first axis of each
     std::optional<direct_user> application_{};
     std::unique_ptr<life_data> data_{};
     std::array<std::byte, ethercat::max_frame_size> frame_{};
     time cycle_at_{}; ///< when process data were last sent
+    generator idle_random_;
+    std::uint64_t frames_of_jobs_{};
+    std::optional<jauscat::time_point> cycle_begun_{};
+    jaus::hook<void()> on_work_{jaus::bound<&bridge_program::has_work>(*this)};
+    bool is_woken_{};   ///< a component has something to do that its node does not know of
+    bool has_more_{};   ///< something has happened that the next turn goes on with
+    bool is_settled_{}; ///< nothing follows from the last turn
+    const char* last_deed_{};
+    std::uint64_t deeds_{};       ///< what the program has done that shows outside of it
+    std::uint64_t windows_{};     ///< of the process images of the last lives, 16 bits for each
+    bool has_window_{};           ///< this life has one
+    unsigned cycles_of_others_{}; ///< since process data were last sent
 };
 
 } // namespace simulation

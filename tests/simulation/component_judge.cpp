@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace simulation {
 namespace {
@@ -35,15 +34,6 @@ bool matches(const jaus::address& levels, const jaus::address& one) {
            same(levels.component, one.component) && same(levels.instance, one.instance);
 }
 
-std::string hex(std::uint16_t code) {
-    std::array<char, 8> text{};
-    std::snprintf(text.data(), text.size(), "%04Xh", unsigned{code});
-    return text.data();
-}
-std::string text(primary_status_code state) {
-    constexpr std::array names{"Initialize", "Ready", "Standby", "Shutdown", "Failure", "Emergency"};
-    return names.at(static_cast<std::size_t>(state));
-}
 std::string text(const jaus::address& id) {
     return std::to_string(id.subsystem) + "." + std::to_string(id.node) + "." + std::to_string(id.component) + "." +
            std::to_string(id.instance);

@@ -89,8 +89,19 @@ enum class comparison : std::uint8_t {
     sender_silent,
     axis_wait,
     drive_fault_told,
+    turn_idle,
+    slave_told,
+    attempt_paused,
+    refusal_detailed,
+    stop_repeated,
+    emergency_told,
+    others_called,
+    image_told,
+    keep_alive_told,
+    dictionary,
+    creation,
 };
-inline constexpr std::array<std::string_view, 57> comparison_names{"S1 acknowledged messages are executed",
+inline constexpr std::array<std::string_view, 68> comparison_names{"S1 acknowledged messages are executed",
                                                                    "S1 acknowledgements and refusals are asked for",
                                                                    "S2 confirmed stop orders have effect",
                                                                    "S2 a slave is told of an emergency",
@@ -146,7 +157,18 @@ inline constexpr std::array<std::string_view, 57> comparison_names{"S1 acknowled
                                                                    "S2 motors stand still outside of Ready",
                                                                    "S3 motors stand still without their sender",
                                                                    "S6 waits of axes end",
-                                                                   "S8 a drive fault ends Ready"};
+                                                                   "S8 a drive fault ends Ready",
+                                                                   "a turn with nothing due does nothing",
+                                                                   "what is told of slaves has its cause",
+                                                                   "attempts to bring a slave up have pauses",
+                                                                   "reasons of refusals are those of the slave",
+                                                                   "refused stop orders are tried again in time",
+                                                                   "emergencies of slaves are told once",
+                                                                   "the cycle of others is called each period",
+                                                                   "process data are told as they are used",
+                                                                   "keep-alive is told from other traffic",
+                                                                   "dictionaries follow their lists",
+                                                                   "objects are created as they are listed"};
 /// How often each has compared something.
 using comparison_counts = std::array<std::uint64_t, comparison_names.size()>;
 

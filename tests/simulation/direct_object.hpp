@@ -49,8 +49,15 @@ class direct_object {
     /// The last value that was written.
     [[nodiscard]] const std::optional<word>& written() const noexcept { return written_; }
 
+    /// Of the objects of the application.
+    [[nodiscard]] ethercat::abort_code last_abort() const noexcept { return last_abort_; }
+
     ethercat::object_read read(std::uint16_t of, std::uint8_t subindex, std::span<std::byte> out) noexcept {
-        if (of != index) return application_.read(of, subindex, out);
+        if (of != index) {
+            const auto got = application_.read(of, subindex, out);
+            if (got.error != ethercat::abort_code::none) last_abort_ = got.error;
+            return got;
+        }
         if (subindex == 0 || subindex > words.size()) return {.error = ethercat::abort_code::no_subindex};
         const std::size_t size = sizeof(word) * words[subindex - 1U];
         if (out.size() < size) return {.error = ethercat::abort_code::exceeds_mailbox};
@@ -58,7 +65,11 @@ class direct_object {
         return {.size = size};
     }
     ethercat::abort_code write(std::uint16_t of, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
-        if (of != index) return application_.write(of, subindex, data);
+        if (of != index) {
+            const auto got = application_.write(of, subindex, data);
+            if (got != ethercat::abort_code::none) last_abort_ = got;
+            return got;
+        }
         const auto value = value_of(subindex, data);
         if (!value) return ethercat::abort_code::value_range;
         written_ = value;
@@ -80,6 +91,7 @@ class direct_object {
     std::uint32_t serial_;
     const time& now_;
     std::optional<word> written_{};
+    ethercat::abort_code last_abort_{};
 };
 
 } // namespace simulation

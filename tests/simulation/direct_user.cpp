@@ -1,5 +1,7 @@
 #include "simulation/direct_user.hpp"
 
+#include <jauscat/ethercat/slave/standard_objects.hpp>
+
 #include <algorithm>
 
 namespace simulation {
@@ -11,6 +13,8 @@ direct_user::direct_user(world& w, ring& wire, actor& user, std::uint8_t number,
     : world_{w}, wire_{wire}, user_{user}, number_{number}, to_give_up_{to_give_up}, random_{w.stream(1006)} {
     for (std::size_t i = 0; i != wire.size(); ++i)
         if (wire[i].arm != nullptr) arms_.push_back(i);
+    has_arms_ = !arms_.empty();
+    for (std::size_t i = 0; !has_arms_ && i != wire.size(); ++i) arms_.push_back(i);
 }
 
 bridging::shared_jobs direct_user::jobs() noexcept {
@@ -35,7 +39,7 @@ time direct_user::some_deadline() {
 
 // After a transfer that was given up, often one to the same slave follows at once.
 bool direct_user::begin(ethercat::master& idle) {
-    if (world_.now() < next_at_) return false;
+    if (waits_ || world_.now() < next_at_) return false;
     if (random_.below(2) == 0 || count_ == 0) last_slave_ = arms_[random_.below(arms_.size())];
     transfer made{.number = ++count_,
                   .slave = last_slave_,
@@ -43,15 +47,17 @@ bool direct_user::begin(ethercat::master& idle) {
                   .subindex = static_cast<std::uint8_t>(1 + random_.below(direct_object::words.size())),
                   .begun = world_.now(),
                   .value = count_};
+    if (!has_arms_) made.is_upload = made.is_identity = true;
+    if (!has_arms_) made.subindex = 4;
     const auto station = wire_[made.slave].station;
+    const std::uint16_t index = made.is_identity ? ethercat::standard_indices::identity : direct_object::index;
     const auto data = std::span{data_}.first(made.size());
-    direct_object::fill(data, made.value);
+    if (has_arms_) direct_object::fill(data, made.value);
     const auto started =
         made.is_upload
-            ? idle.start(ethercat::upload{
-                  .station = station, .index = direct_object::index, .subindex = made.subindex, .into = data})
-            : idle.start(ethercat::download{
-                  .station = station, .index = direct_object::index, .subindex = made.subindex, .data = data});
+            ? idle.start(ethercat::upload{.station = station, .index = index, .subindex = made.subindex, .into = data})
+            : idle.start(
+                  ethercat::download{.station = station, .index = index, .subindex = made.subindex, .data = data});
     next_at_ = world_.now() + random_.between(time{}, random_.below(2) == 0 ? milliseconds{2} : milliseconds{100});
     if (!started) return false;
     open_ = made;
@@ -76,7 +82,9 @@ void direct_user::done(ethercat::master& idle) {
                  .why = is_answered    ? "is answered"
                         : is_given_up_ ? "is given up"
                                        : "has failed"});
-    if (is_answered && open_->is_upload)
+    if (is_answered && open_->is_identity)
+        check_serial(idle.result<ethercat::upload>().value_or(std::span<std::byte>{}));
+    else if (is_answered && open_->is_upload)
         check_upload(idle.result<ethercat::upload>().value_or(std::span<std::byte>{}));
     else if (is_answered)
         check_download();
@@ -97,6 +105,15 @@ void direct_user::check_upload(bytes answer) {
     if (read_at < open_->begun)
         breaks("what the slave has read for this transfer",
                "what it has read " + std::to_string((open_->begun - read_at) / microseconds{1}) + " us before");
+}
+
+void direct_user::check_serial(bytes answer) {
+    world_.compares(comparison::direct_upload);
+    std::uint32_t serial = 0;
+    for (std::size_t i = 0; i != answer.size(); ++i) serial |= std::to_integer<std::uint32_t>(answer[i]) << 8U * i;
+    const auto is_of = [&](std::size_t i) { return answer.size() == 4 && serial == ring::serial_of(i); };
+    if (wire_.is_rough() ? std::ranges::any_of(arms_, is_of) : is_of(open_->slave)) return;
+    breaks("the serial number of its slave", std::to_string(serial));
 }
 
 void direct_user::check_download() {

@@ -16,10 +16,7 @@ template <std::size_t Axes> class drive_of final : public drive_unit {
   public:
     drive_of(std::uint32_t serial, std::size_t first_joint, std::function<void(std::size_t, command_number)> moved,
              const std::optional<ethercat::clock_error>& clock)
-        : drive_unit{std::move(moved), first_joint, Axes}, description_{cia402::drive_description<Axes>} {
-        description_.serial = serial;
-        description_.clock = clock ? ethercat::clock_width::bits_64 : ethercat::clock_width::no_clock;
-        description_.needs_sync = clock.has_value();
+        : drive_unit{std::move(moved), first_joint, Axes}, description_{describe(serial, clock.has_value())} {
         slave_.emplace(description_, dictionary_);
         if (clock) slave_->set_clock_error(*clock);
     }
@@ -56,6 +53,14 @@ template <std::size_t Axes> class drive_of final : public drive_unit {
             for (std::size_t i = 0; i != Axes; ++i) drive_.axes[i].values.controlword = words[i];
         }
         drive_.work(*slave_, now); // without new outputs
+    }
+
+    static ethercat::slave_description describe(std::uint32_t serial, bool has_clock) {
+        auto made = cia402::drive_description<Axes>;
+        made.serial = serial;
+        made.clock = has_clock ? ethercat::clock_width::bits_64 : ethercat::clock_width::no_clock;
+        made.needs_sync = has_clock;
+        return made;
     }
 
     ethercat::slave_description description_;

@@ -55,8 +55,9 @@ enum class fault : std::uint8_t {
     joint_lasting_fault,
     joint_mode_refused,
     joint_sender_silent,
+    slave_emergency,
 };
-inline constexpr std::array<std::string_view, 43> fault_names{
+inline constexpr std::array<std::string_view, 44> fault_names{
     "datagram-lost",       "datagram-doubled",     "datagram-delayed",       "network-parted",  "process-killed",
     "process-frozen",      "clock-leap",           "same-numbers",           "number-zero",     "message-doubled",
     "kinds-mixed",         "body-malformed",       "mute-controller",        "frame-lost",      "frame-delayed",
@@ -65,7 +66,7 @@ inline constexpr std::array<std::string_view, 43> fault_names{
     "frame-doubled",       "frame-damaged",        "slaves-swapped",         "station-doubled", "drive-fault",
     "drive-unpowered",     "drive-deaf",           "watchdog-kept",          "error-reported",  "slave-slow",
     "wall-clock-back",     "joint-period-changed", "joint-without-velocity", "joint-long-ramp", "joint-late-brake",
-    "joint-lasting-fault", "joint-mode-refused",   "joint-sender-silent"};
+    "joint-lasting-fault", "joint-mode-refused",   "joint-sender-silent",    "slave-emergency"};
 inline constexpr std::size_t fault_count = fault_names.size();
 
 [[nodiscard]] constexpr std::string_view name_of(fault kind) noexcept {

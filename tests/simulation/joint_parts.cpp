@@ -28,6 +28,7 @@ template <std::size_t Joints> std::unique_ptr<bridging::process_part> part_of(st
     std::array<bridging::joint_options, Joints> made{};
     for (std::size_t i = 0; i != Joints; ++i)
         made[i] = {.slave = i / axes,
+                   .drive_axis = i % axes,
                    .places = axes == 2 ? places_in_drive<2>()[i % 2] : places_in_drive<1>()[0],
                    .axis = {.max_velocity = 1e5, .acceleration = 1e9, .deceleration = 1e9},
                    .scale = {.increments_per_radian = increments_per_radian, .max_velocity = 1e5}};

@@ -11,7 +11,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <optional>
+#include <string>
 
 namespace simulation {
 
@@ -112,6 +114,17 @@ inline constexpr command_number no_command = 0xFFFF'FFFF;              ///< of a
     if (!wire::decode(wanted, body) || wanted.joint_velocity.size() == 0) return std::nullopt;
     const auto first = static_cast<std::int32_t>(std::lround(wanted.joint_velocity[0] * increments_per_radian));
     return first == 0 ? std::optional<command_number>{0} : command_of_velocity(first, 0);
+}
+
+[[nodiscard]] inline std::string hex(std::uint16_t code) {
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "%04Xh", unsigned{code});
+    return text.data();
+}
+[[nodiscard]] inline std::string text(jaus::primary_status_code state) {
+    constexpr std::array names{"Initialize", "Ready", "Standby", "Shutdown", "Failure", "Emergency"};
+    const auto i = static_cast<std::size_t>(state);
+    return i < names.size() ? names[i] : "state " + std::to_string(i);
 }
 
 [[nodiscard]] constexpr std::uint64_t digest_of(bytes content) noexcept {

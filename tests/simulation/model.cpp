@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 
 namespace simulation {
@@ -12,16 +11,6 @@ using jaus::primary_status_code;
 
 constexpr auto slack = std::chrono::milliseconds{150};
 
-std::string hex(std::uint16_t code) {
-    std::array<char, 8> text{};
-    std::snprintf(text.data(), text.size(), "%04Xh", unsigned{code});
-    return text.data();
-}
-std::string text(primary_status_code state) {
-    constexpr std::array names{"Initialize", "Ready", "Standby", "Shutdown", "Failure", "Emergency"};
-    const auto i = static_cast<std::size_t>(state);
-    return i < names.size() ? names[i] : "state " + std::to_string(i);
-}
 bool is_answer_to(const jaus::header& answer, const jaus::header& head) {
     return head.source == answer.destination && head.command_code == answer.command_code &&
            head.sequence_number == answer.sequence_number;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace simulation {
 namespace {
@@ -38,7 +39,10 @@ void order_judge::starts() {
     up_.clear();
     stopped_at_ = world_.now();
     is_owed_ = true; // what the actuator does is not known
-    may_be_settled_ = is_faulted_ = ends_ = false;
+    may_be_settled_ = is_faulted_ = ends_ = needs_emergency_ = has_read_inputs_ = false;
+    attempts_ = 0;
+    repeat_from_.reset();
+    fault_.reset();
     lost_at_ = not_accepted_at_ = time{-1};
 }
 
@@ -73,6 +77,14 @@ void order_judge::sends(bytes message) {
     };
     if (head.command_code == jaus::command_code_of<jaus::report_component_status> && !jaus::is_acknowledgement(head))
         check_status(m.body);
+    const bool is_from_image = what_.is_cyclic && !jaus::is_acknowledgement(head) &&
+                               (head.command_code == jaus::command_code_of<jaus::report_wrench_effort> ||
+                                head.command_code == jaus::command_code_of<jaus::report_joint_velocities>);
+    if (is_from_image) {
+        world_.compares(comparison::image_told);
+        if (!std::exchange(has_read_inputs_, false))
+            breaks(contract::availability, "a report from inputs that are told", "they are not");
+    }
     const auto found = std::ranges::find_if(open_, is_of);
     if (found != open_.end()) open_.erase(found);
 }
@@ -123,7 +135,73 @@ bool order_judge::is_in_emergency() const {
     return arm != nullptr && arm->in_emergency();
 }
 
-void order_judge::refused(const jaus::header& head, refusal why) {
+// The reason of the slave, where it is the one that refuses.
+void order_judge::check_reason(const bridging::refusal_reason& why) {
+    world_.compares(comparison::refusal_detailed);
+    const auto& of_master = why.of_master;
+    const bool has_error = of_master.code != ethercat::master_errc::ok;
+    const bool is_ok = why.error == jauscat::translate::errc::ok;
+    const auto fail = [&](const char* expected) {
+        breaks(contract::availability, expected,
+               "cause " + std::to_string(static_cast<unsigned>(why.why)) + ", error " +
+                   std::to_string(static_cast<unsigned>(why.error)) + ", of the master " +
+                   std::string{ethercat::describe(of_master)});
+    };
+    if (why.why == refusal::not_translated) {
+        if (is_ok) fail("the error of a translation");
+        return;
+    }
+    if (!is_ok) return fail("no error of a translation that was made");
+    if (why.why != refusal::by_slave) {
+        if (has_error) fail("no error of the master");
+        return;
+    }
+    if (!has_error) return fail("the error of the slave or the master");
+    const auto& wire = *model_.actuator(what_.account).wire;
+    const auto* const arm = wire[what_.slaves.front()].arm;
+    if (of_master.code != ethercat::master_errc::sdo_abort || arm == nullptr || wire.is_rough()) return;
+    if (of_master.abort != arm->last_abort()) fail("the abort code of the slave");
+}
+
+// Behind the one with which it is merged.
+void order_judge::merged(const jaus::header& head) {
+    world_.compares(comparison::refusal_caused);
+    const auto count = std::ranges::count_if(seen_, [&](const order& each) {
+        return each.head.command_code == head.command_code && (what_.is_cyclic || each.head.source == head.source);
+    });
+    if (count < 2 || !moves(head.command_code))
+        breaks(contract::availability, "a command that is merged with the one before", "there is none");
+}
+
+void order_judge::reads_inputs() {
+    if (has_read_inputs_) breaks(contract::availability, "a report from inputs that are told", "there is none");
+    has_read_inputs_ = true;
+}
+
+// Each once.
+void order_judge::faulted(const bridging::drive_fault& what) {
+    world_.compares(comparison::refusal_detailed);
+    const auto fail = [&](const char* expected) {
+        breaks(contract::availability, expected,
+               "slave " + std::to_string(what.slave) + ", code " + std::to_string(what.code));
+    };
+    if (what_.axes == 0) fail("a fault of a drive");
+    if (what.slave >= what_.slaves.size()) return fail("a slave of the component");
+    if (fault_ == what && fault_at_ == world_.now()) fail("each fault once"); // or again, when another one was there
+    fault_ = what;
+    fault_at_ = world_.now();
+    is_faulted_ = true;
+}
+
+void order_judge::fault_ended() {
+    if (!is_faulted_) breaks(contract::availability, "the end of a fault that was told", "there was none");
+    is_faulted_ = false;
+    fault_.reset();
+}
+
+void order_judge::refused(const jaus::header& head, const bridging::refusal_reason& reason) {
+    const refusal why = reason.why;
+    check_reason(reason);
     // The message that is being handled, or one that waits.
     const auto is_it = [&](const order& one) {
         return one.head.source == head.source && one.head.command_code == head.command_code &&
@@ -161,7 +239,15 @@ bool order_judge::has_cause(bridging::stop_cause why) const {
     return false;
 }
 
-void order_judge::stop_required(bridging::stop_cause why) {
+void order_judge::stop_required(bridging::stop_order what, bridging::stop_cause why) {
+    const bool is_rest = what == bridging::stop_order::rest;
+    if (what == bridging::stop_order::clear_emergency)
+        breaks(contract::availability, "rest or an emergency as a stop order", "the end of an emergency");
+    if (!is_rest && model_.actuator(what_.account).state != jaus::primary_status_code::emergency)
+        breaks(contract::availability, "an emergency is required in that state alone", "it is required");
+    needs_emergency_ = needs_emergency_ || !is_rest;
+    attempts_ = 0;
+    repeat_from_.reset();
     world_.compares(comparison::stop_caused);
     if (!has_cause(why))
         breaks(contract::availability, "a stop order has the cause that is told",
@@ -171,7 +257,55 @@ void order_judge::stop_required(bridging::stop_cause why) {
     may_be_settled_ = false;
 }
 
-void order_judge::settled() { is_owed_ = may_be_settled_ = false; }
+// An order that is refused is repeated after 20 ms, and later each time up to 200 ms; rest and Set Emergency take turns
+// where one of them is refused again and again.
+void order_judge::stop_refused(bridging::stop_order what, const bridging::refusal_reason& why, unsigned attempts) {
+    using bridging::stop_order;
+    may_be_settled_ = true;
+    check_reason(why);
+    world_.compares(comparison::stop_repeated);
+    const auto fail = [&](const char* expected) {
+        breaks(contract::s2, expected,
+               "order " + std::to_string(static_cast<unsigned>(what)) + " at attempt " + std::to_string(attempts));
+    };
+    if (attempts != attempts_ + 1 && attempts != 1) fail("attempts that are counted, or begin again");
+    const auto pause = what_.stop_interval * std::min(attempts_, 10U);
+    if (attempts == attempts_ + 1 && attempts_ != 0 && program_.local() - refused_at_ < pause)
+        fail("a pause between two attempts of a stop order");
+    const bool is_odd = attempts % 2 == 0; // refusals before it
+    // The first one may be of an order from before the last one was required; process data have their own.
+    const bool has_turns = attempts > 1 && attempts == attempts_ + 1 && !what_.is_cyclic;
+    const bool may_be_rest = !needs_emergency_ || is_odd;
+    const bool may_be_emergency = needs_emergency_ || (attempts > 3 && is_odd);
+    const bool must_be_emergency = !needs_emergency_ && attempts > 3 && is_odd;
+    if (has_turns && what == stop_order::rest && (!may_be_rest || must_be_emergency)) fail("Set Emergency in its turn");
+    if (has_turns && what == stop_order::emergency && !may_be_emergency) fail("rest in its turn");
+    attempts_ = attempts;
+    refused_at_ = program_.local();
+    repeat_from_.reset();
+    if (what != stop_order::clear_emergency) // which is given up
+        repeat_from_ = world_.now() + what_.stop_interval * std::min(attempts, 10U);
+}
+
+// The next attempt follows in time, where nothing but refusals comes from the slave.
+void order_judge::check_repeat() {
+    if (!repeat_from_ || what_.is_shared || !is_up() || what_.is_cyclic) return;
+    const auto& wire = *model_.actuator(what_.account).wire;
+    const auto& slave = wire[what_.slaves.front()];
+    const bool is_hindered = slave.frozen || slave.slow != time{} || slave.unreachable_since || slave.taken_since;
+    const time hindered = std::max({program_.jumped_at(), wire.frames_disturbed_at(), slave.missed_at,
+                                    slave.unfrozen_at, up_at_, is_hindered ? world_.now() : time{}});
+    constexpr time to_transfer = milliseconds{60};
+    if (world_.now() - std::max(*repeat_from_, hindered) <= to_transfer) return;
+    world_.compares(comparison::stop_repeated);
+    breaks(contract::s2, "a stop order that is refused is repeated in time", "it is not");
+}
+
+void order_judge::settled() {
+    is_owed_ = may_be_settled_ = needs_emergency_ = false;
+    attempts_ = 0;
+    repeat_from_.reset();
+}
 
 void order_judge::slave_up(std::size_t slave) {
     up_.insert(slave);
@@ -224,6 +358,7 @@ void order_judge::check() {
         return is_query(one.head.command_code) || (is_numbered && one.head.ack_nak == jaus::ack_nak::request);
     };
     std::erase_if(open_, [&](const order& one) { return !is_awaited(one) && now - one.at > what_.order_timeout; });
+    check_repeat();
     check_keep_alive();
     check_rest();
     check_return();

@@ -21,7 +21,7 @@ struct judged_orders {
     std::vector<std::size_t> slaves{};
     std::size_t axes{}; ///< of each slave that is a drive
     bool is_cyclic{}, is_shared{}, has_clocks{};
-    time order_timeout{}, keep_alive{};
+    time order_timeout{}, keep_alive{}, stop_interval{};
 };
 
 class order_judge {
@@ -35,21 +35,26 @@ class order_judge {
     void sends(bytes message);
 
     // What the bridge's observer hears.
-    void refused(const jaus::header& head, bridging::refusal why);
-    void stop_required(bridging::stop_cause why);
+    void refused(const jaus::header& head, const bridging::refusal_reason& why);
+    void merged(const jaus::header& head);
+    void reads_inputs();
+    void stop_required(bridging::stop_order what, bridging::stop_cause why);
     void ends() { ends_ = true; }
-    void stop_refused() { may_be_settled_ = true; }
+    void stop_refused(bridging::stop_order what, const bridging::refusal_reason& why, unsigned attempts);
     void settled();
     void changed_controller(jaus::control_change why) {
         changed_control_at_ = world_.now();
         control_change_ = why;
     }
-    void faulted(bool is_faulted) { is_faulted_ = is_faulted; }
+    void faulted(const bridging::drive_fault& what);
+    void fault_ended();
     void slave_up(std::size_t slave);
     void slave_lost(std::size_t slave);
     void bring_up_failed();
     void no_keep_alive() { takes_keep_alive_ = false; }
 
+    /// For process data, an attempt at a refused stop order comes with the next cycle.
+    [[nodiscard]] bool waits_for_attempt() const { return what_.is_cyclic && repeat_from_.has_value(); }
     /// Its actuator comes to rest.
     void rests();
     void check();
@@ -70,6 +75,8 @@ class order_judge {
     [[nodiscard]] bool has_cause(bridging::stop_cause why) const;
     [[nodiscard]] bool is_in_emergency() const;
     void check_status(bytes body);
+    void check_reason(const bridging::refusal_reason& why);
+    void check_repeat();
     void check_keep_alive();
     void check_return();
     void check_rest();
@@ -89,6 +96,14 @@ class order_judge {
     bool ends_{};
     bool is_owed_{}, may_be_settled_{}, is_faulted_{}, takes_keep_alive_{};
     bool has_ended_{}; ///< the message that is being handled
+    // Stop orders that were refused, since the last one was required.
+    bool needs_emergency_{};
+    unsigned attempts_{};
+    time refused_at_{};                 ///< of the program's clock
+    std::optional<time> repeat_from_{}; ///< since when nothing hinders the next attempt
+    std::optional<bridging::drive_fault> fault_{};
+    time fault_at_{};
+    bool has_read_inputs_{};
 };
 
 } // namespace simulation

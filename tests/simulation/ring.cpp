@@ -18,7 +18,7 @@ constexpr std::byte safe_op_with_error{0x14};
 constexpr std::array ring_faults{fault::cable_out,    fault::slave_frozen,     fault::slave_restarted,
                                  fault::slave_aborts, fault::slave_falls_back, fault::mailbox_recounted,
                                  fault::other_master, fault::unknown_state,    fault::error_reported,
-                                 fault::slave_slow};
+                                 fault::slave_slow,   fault::slave_emergency};
 constexpr std::array rough_faults{fault::slaves_swapped, fault::station_doubled};
 constexpr std::array drive_faults{fault::drive_fault, fault::drive_unpowered, fault::drive_deaf};
 
@@ -211,6 +211,9 @@ void ring::look(ring_place& at) {
             since = world_.now();
     };
     const auto state = at.unit->slave().state();
+    at.seen_in[static_cast<std::size_t>(state) % at.seen_in.size()] = world_.now();
+    if (at.reports_error) at.error_told_at = world_.now();
+    if (at.state_is_unknown) at.unknown_told_at = world_.now();
     if (at.reports_error && state != at.error_from) at.reports_error = false; // a master has acknowledged it
     if (state != at.told_state) {
         if (state == ethercat::al_state::op) at.watchdog = watchdog_of(at);
@@ -260,7 +263,7 @@ void ring::on_event(std::uint8_t what, std::uint32_t argument) {
 
 void ring::suffer(fault kind) {
     try_later(kind);
-    if (!world_.faults.strikes(kind, 100'000)) return;
+    if (!world_.faults.strikes(kind, kind == fault::slave_emergency ? 300'000 : 100'000)) return;
     auto& random = world_.faults.random(kind);
     const std::size_t i = random.below(places_.size());
     auto& at = places_[i];
@@ -271,6 +274,7 @@ void ring::suffer(fault kind) {
         world_.in(some, *this, repair, static_cast<std::uint32_t>(kind) << 8U | static_cast<std::uint32_t>(i));
     };
     switch (kind) {
+    case fault::slave_emergency: return send_emergency(i); // nothing is wrong with it
     case fault::cable_out:
         if (cable_out_before_) return;
         cable_out_before_ = position_of(i);
@@ -372,6 +376,28 @@ void ring::swap(std::size_t i, std::size_t other) {
     const auto both = static_cast<std::uint32_t>(i << 4U | other);
     world_.in(random.between(milliseconds{20}, std::chrono::seconds{4}), *this, repair,
               static_cast<std::uint32_t>(fault::slaves_swapped) << 8U | both);
+}
+
+std::uint32_t ring::number_of(const ethercat::coe_emergency& what) noexcept {
+    std::uint32_t number = 0;
+    for (std::size_t i = 0; i != 4; ++i) number |= std::to_integer<std::uint32_t>(what.data[i]) << 8U * i;
+    return number;
+}
+
+// Up to three, one after the other.
+void ring::send_emergency(std::size_t i) {
+    auto& at = places_[i];
+    auto& random = world_.faults.random(fault::slave_emergency);
+    for (auto left = 1 + random.below(3); left != 0; --left) {
+        const auto number = ++emergency_count_;
+        ethercat::coe_emergency what{.error_code = static_cast<std::uint16_t>(0x8000 + random.below(0x1000)),
+                                     .error_register = static_cast<std::uint8_t>(random.below(256))};
+        for (std::size_t k = 0; k != 4; ++k) what.data[k] = static_cast<std::byte>(number >> 8U * k);
+        if (!at.unit->slave().send_emergency(what)) return;
+        if (at.emergencies.size() == 32) at.emergencies.erase(at.emergencies.begin());
+        at.emergencies.push_back({number, world_.now(), what});
+        tell(i, ring_deed::emergency, number);
+    }
 }
 
 void ring::suffer_of_drive(fault kind, std::size_t i, time some) {

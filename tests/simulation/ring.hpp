@@ -42,6 +42,7 @@ enum class ring_deed : std::uint16_t {
     slow,           ///< milliseconds that it takes for each message
     reports_error,  ///< milliseconds that it reports SAFE-OP with an error, or until it changes its state
     repaired,       //
+    emergency,      ///< a message of its own; its number
 };
 
 /// Who sends frames and gets them back.
@@ -63,6 +64,13 @@ struct trouble {
 /// The registers 0400h and 0420h of a slave.
 struct watchdog_registers {
     std::uint16_t divider{}, units{};
+};
+
+/// A message of a slave of its own.
+struct sent_emergency {
+    std::uint32_t number{};
+    time at{};
+    ethercat::coe_emergency what{};
 };
 
 /// A slave and where it stands.
@@ -92,6 +100,9 @@ struct ring_place {
     time missed_at{};    ///< when a frame was last lost before it
     ethercat::al_state told_state{};
     std::optional<time> unreachable_since{}, left_state_since{}, taken_since{}, unknown_since{};
+    std::array<time, 16> seen_in{};            ///< when it was last in each AL state
+    time error_told_at{}, unknown_told_at{};   ///< when it has last shown an error in place of its state, or none
+    std::vector<sent_emergency> emergencies{}; ///< the last ones
 };
 
 class ring final : public actor {
@@ -109,6 +120,8 @@ class ring final : public actor {
     [[nodiscard]] static constexpr std::uint32_t serial_of(std::size_t i) noexcept {
         return 1000 + static_cast<std::uint32_t>(i);
     }
+    /// Emergencies carry a number each.
+    [[nodiscard]] static std::uint32_t number_of(const ethercat::coe_emergency& what) noexcept;
     void start(frame_user& user);
 
     void send(bytes frame);
@@ -144,6 +157,7 @@ class ring final : public actor {
     [[nodiscard]] bool is_reachable(std::size_t i) const noexcept;
     void try_later(fault kind);
     void suffer(fault kind);
+    void send_emergency(std::size_t i);
     void suffer_of_drive(fault kind, std::size_t i, time some);
     void swap(std::size_t i, std::size_t other);
     void mend(fault kind, std::size_t i);
@@ -161,6 +175,7 @@ class ring final : public actor {
     bool has_clocks_{};
     std::array<time, 64> frames_disturbed_at_{};
     std::size_t disturbed_frames_{};
+    std::uint32_t emergency_count_{};
     frame_user* user_{};
     std::vector<ring_place> places_{};
     std::vector<std::size_t> order_{}; ///< which slave is at each place of the cable

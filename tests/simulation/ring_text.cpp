@@ -37,6 +37,7 @@ std::string ring_text(const happening& one, const std::vector<std::string>& name
     case ring_deed::slow: return name + " takes " + value + " ms for each message";
     case ring_deed::reports_error: return name + " reports SAFE-OP with an error for " + value + " ms";
     case ring_deed::repaired: return name + " works as before";
+    case ring_deed::emergency: return name + " sends emergency " + value;
     case ring_deed::unknown_state: return name + ": its AL state cannot be read for " + value + " ms";
     }
     return name + ": something happens";

@@ -1,6 +1,7 @@
 #include "simulation/simulation.hpp"
 
 #include "simulation/bridge_program.hpp"
+#include "simulation/dictionary_judge.hpp"
 #include "simulation/inspector.hpp"
 #include "simulation/joint_system.hpp"
 #include "simulation/memory_watch.hpp"
@@ -180,6 +181,12 @@ class bridge_system {
             if (made.has_clocks) made.period = std::chrono::milliseconds{2 + 3 * random.below(2)};
         }
         made.is_shared = what.seed % 8 == 7;
+        if (has_inspector(what.seed)) { // none of seeds.txt
+            auto random_ring = w.stream(1012);
+            constexpr std::array<std::size_t, 4> lanes{1, 2, 3, bridge_settings::most_lanes};
+            made.lanes = lanes[random_ring.below(lanes.size())];
+            made.is_one_by_one = random_ring.below(3) == 0;
+        }
         add_slaves(made, random);
         for (const auto& each : made.units) {
             const auto node = station_of(each.slaves.front());
@@ -215,9 +222,11 @@ class bridge_system {
             operators_.push_back(std::make_unique<inspector>(w, network_, model_, component_of(7, 32), unit(of_foreign),
                                                              of_foreign, *bridge_, component_of(1, 32),
                                                              static_cast<std::uint8_t>(made.units.size())));
+        dictionary_.emplace(w);
         wire_.start(*bridge_);
         network_.start();
         bridge_->start();
+        dictionary_->start();
         for (auto& one : operators_)
             if ((what.absent >> one->number() & 1U) == 0) one->start();
         w.check = [this] {
@@ -263,6 +272,7 @@ class bridge_system {
     std::vector<place> places_{};
     std::unique_ptr<bridge_program> bridge_{};
     std::vector<std::unique_ptr<process>> operators_{};
+    std::optional<dictionary_judge> dictionary_{};
     std::optional<memory_watch> memory_{};
 };
 

@@ -85,9 +85,23 @@ TEST_CASE("each kind of fault of joints occurs, and each check of them compares 
         INFO(fault_names[i]);
         CHECK((sum.faults[i] != 0) == fault_names[i].starts_with("joint-"));
     }
-    for (auto i = static_cast<std::size_t>(comparison::motor_limits); i != sum.compared.size(); ++i) {
+    for (auto i = static_cast<std::size_t>(comparison::motor_limits);
+         i <= static_cast<std::size_t>(comparison::drive_fault_told); ++i) {
         INFO(comparison_names[i]);
         CHECK(sum.compared[i] != 0);
+    }
+}
+
+TEST_CASE("each check of what a bridge tells compares something") {
+    comparison_counts sum{};
+    for (std::uint64_t seed = 1; seed != 9; ++seed) {
+        const auto result = run({.seed = seed, .length = 20s, .system = system_kind::robot});
+        REQUIRE_FALSE(result.broken);
+        for (std::size_t i = 0; i != sum.size(); ++i) sum[i] += result.compared[i];
+    }
+    for (auto i = static_cast<std::size_t>(comparison::turn_idle); i != sum.size(); ++i) {
+        INFO(comparison_names[i]);
+        CHECK(sum[i] != 0);
     }
 }
 
