@@ -270,8 +270,8 @@ void order_judge::stop_refused(bridging::stop_order what, const bridging::refusa
     };
     if (attempts != attempts_ + 1 && attempts != 1) fail("attempts that are counted, or begin again");
     const auto pause = what_.stop_interval * std::min(attempts_, 10U);
-    if (attempts == attempts_ + 1 && attempts_ != 0 && program_.local() - refused_at_ < pause)
-        fail("a pause between two attempts of a stop order");
+    const bool is_next = attempts == attempts_ + 1 && attempts_ != 0 && !what_.is_cyclic; // else by mailbox as well
+    if (is_next && program_.local() - refused_at_ < pause) fail("a pause between two attempts of a stop order");
     const bool is_odd = attempts % 2 == 0; // refusals before it
     // The first one may be of an order from before the last one was required; process data have their own.
     const bool has_turns = attempts > 1 && attempts == attempts_ + 1 && !what_.is_cyclic;
