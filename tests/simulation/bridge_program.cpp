@@ -352,6 +352,7 @@ bridge_program::bridge_program(world& w, network& n, model& m, const std::vector
                                                         .is_cyclic = one.cyclic,
                                                         .is_shared = what.is_shared,
                                                         .has_clocks = what.has_clocks,
+                                                        .waits_for_lanes = what.lanes < wire.size(),
                                                         .order_timeout = what.options(one).order_timeout,
                                                         .keep_alive = what.options(one).keep_alive,
                                                         .stop_interval = what.options(one).stop_interval}));

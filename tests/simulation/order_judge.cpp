@@ -289,7 +289,7 @@ void order_judge::stop_refused(bridging::stop_order what, const bridging::refusa
 
 // The next attempt follows in time, where nothing but refusals comes from the slave.
 void order_judge::check_repeat() {
-    if (!repeat_from_ || what_.is_shared || !is_up() || what_.is_cyclic) return;
+    if (!repeat_from_ || what_.is_shared || what_.waits_for_lanes || !is_up() || what_.is_cyclic) return;
     const auto& wire = *model_.actuator(what_.account).wire;
     const auto& slave = wire[what_.slaves.front()];
     const bool is_hindered = slave.frozen || slave.slow != time{} || slave.unreachable_since || slave.taken_since;

@@ -21,6 +21,7 @@ struct judged_orders {
     std::vector<std::size_t> slaves{};
     std::size_t axes{}; ///< of each slave that is a drive
     bool is_cyclic{}, is_shared{}, has_clocks{};
+    bool waits_for_lanes{}; ///< the ring has fewer of them than slaves
     time order_timeout{}, keep_alive{}, stop_interval{};
 };
 
