@@ -185,6 +185,19 @@ TEST_CASE("a slave reset is detected, and the emergency is sent again") {
     CHECK(r.unit().state() == status::emergency);
 }
 
+TEST_CASE("of a slave that is not at its station address when its state is read first, no state is told") {
+    unsigned losses = 0;
+    for (std::chrono::microseconds after{}; after != 100ms; after += 500us) {
+        rig r{1};
+        r.run(after);
+        r.actuators[0].power_cycle();
+        r.run_until_ready();
+        CHECK(r.watcher.last_loss != bridging::loss::left_state);
+        losses += r.watcher.lost;
+    }
+    CHECK(losses != 0);
+}
+
 TEST_CASE("an emergency stop for an absent slave is acknowledged after the slave has returned and executed it") {
     rig r{rig::driving{50}};
     r.pull_cable();

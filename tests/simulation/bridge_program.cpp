@@ -70,8 +70,7 @@ struct bridge_program::unit {
           node{configuration_of(program.places_, i),
                {},
                [&program, i](bytes message, const net::node_machine::endpoint& to, jaus::framing) {
-                   ++program.deeds_;
-                   program.last_deed_ = "a message of a node";
+                   program.does("a message of a node");
                    program.network_.send(static_cast<std::uint8_t>(i), port_of(to), message, 0);
                },
                program.random_.next()} {
@@ -122,14 +121,12 @@ struct bridge_program::life_data {
           options{program.settings_.options(
               *std::ranges::min_element(program.settings_.units, {}, &unit_settings::limit))} {}
     void changed_state(const bridging::component& who, jaus::primary_status_code from, jaus::primary_status_code to) {
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         mine.model_.enters(account(who), from, to);
         judge(who).enters(from, to);
     }
     void changed_controller(const bridging::component& who, jaus::control_change why) {
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         const auto& now = who.control().controller();
         judge(who).controlled(now, why);
         orders(who).changed_controller(why);
@@ -137,21 +134,18 @@ struct bridge_program::life_data {
     }
     void refused(const bridging::component& who, const jaus::header& message, const bridging::refusal_reason& why) {
         if (why.why == bridging::refusal::not_accepted) mine.has_more_ = true;
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         mine.model_.drops(account(who), message, text_of(why.why));
         orders(who).refused(message, why);
     }
     void merged(const bridging::component& who, const jaus::header& message) {
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         mine.model_.merges(account(who), message);
         orders(who).merged(message);
     }
     void stop_required(const bridging::component& who, bridging::stop_order what, bridging::stop_cause why) {
         mine.has_more_ = true;
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         tell({.what = deed::owes_stop,
               .who = number(who),
               .number = static_cast<std::uint16_t>(what),
@@ -162,8 +156,7 @@ struct bridge_program::life_data {
                       unsigned attempts) {
         if (why.why == bridging::refusal::not_accepted) mine.has_more_ = true;
         mine.has_more_ = true;
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         tell({.what = deed::stop_refused,
               .who = number(who),
               .number = static_cast<std::uint16_t>(what),
@@ -172,32 +165,27 @@ struct bridge_program::life_data {
     }
     void settled(const bridging::component& who) {
         mine.has_more_ = true;
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         tell({.what = deed::settled, .who = number(who)});
         orders(who).settled();
     }
     void faulted(const bridging::component& who, const bridging::drive_fault& what) {
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         orders(who).faulted(what);
     }
     void fault_ended(const bridging::component& who) {
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         orders(who).fault_ended();
     }
     void bring_up_failed(const bridging::slave_front& slave, const ethercat::master_error& why) {
         mine.has_more_ = true;
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         orders(slave).bring_up_failed();
         judge(slave).failed(why, bus->bring_up_error(slave));
     }
     void slave_up(const bridging::slave_front& slave, const ethercat::slave_record& record, bool ready) {
         mine.has_more_ = true;
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         slaves_changed_at = mine.world_.now();
         judge(slave).up(record, ready, bus->bring_up_error(slave));
         if (!ready) return;
@@ -205,46 +193,38 @@ struct bridge_program::life_data {
         orders(slave).slave_up(slave.options().position);
     }
     void slave_emergency(const bridging::slave_front& slave, const ethercat::coe_emergency& what) {
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         judge(slave).emergency(what);
     }
     void clocks_agree(const bridging::slave_front& slave, ethercat::clock_agreement how, std::uint32_t difference) {
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         judge(slave).agrees(how, difference);
     }
     void translated(const bridging::slave_front& slave, bytes packet) {
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         judge(slave).packet(packet, false);
     }
     void asks_report(const bridging::slave_front& slave, bytes packet) {
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         judge(slave).packet(packet, true);
     }
     void into_image(const bridging::slave_front& slave, std::uint32_t count, bytes outputs) {
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         judge(slave).into_image(count, outputs, slave.data().outputs);
     }
     void from_image(const bridging::slave_front& slave, bytes inputs) {
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         judge(slave).from_image(inputs, slave.data().inputs);
         orders(slave).reads_inputs();
     }
     void no_keep_alive(const bridging::slave_front& slave, const bridging::refusal_reason& why) {
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         orders(slave).no_keep_alive();
         judge(slave).no_keep_alive(why);
     }
     void slave_lost(const bridging::slave_front& slave, bridging::loss what, const ethercat::master_error& why) {
         mine.has_more_ = true;
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
         judge(slave).lost(what, why, bus->bring_up_error(slave));
         tell({.what = deed::loses_slave, .who = mine.number(), .whom = number(slave), .why = text_of(what)});
         slaves_changed_at = mine.world_.now();
@@ -301,8 +281,7 @@ struct bridge_program::life_data {
     std::deque<unit> units{};
     void cycle() const {
         ++mine.cycles_of_others_;
-        ++mine.deeds_;
-        mine.last_deed_ = __func__;
+        mine.does(__func__);
     }
     /// With fewer lanes, or without memory for steps of many slaves at once.
     [[nodiscard]] bridging::ring_memory some_memory() {
@@ -550,8 +529,8 @@ void bridge_program::send_frames() {
         world_.at(world_.now(), *this, to_kill, life());
 }
 
-// What only keeps slaves from stopping is told from what a log needs. A life has its process image elsewhere than the
-// one before.
+// Where all that goes on keeps slaves from stopping, no job does. A life has its process image elsewhere than the one
+// before.
 void bridge_program::look_at_job(bytes frame) {
     constexpr std::size_t command_at = 16, window_at = 20;
     const auto command = std::to_integer<unsigned>(frame[command_at]);
@@ -573,26 +552,12 @@ void bridge_program::look_at_job(bytes frame) {
     const bool carries = std::ranges::any_of(
         data_->units, [&](const unit& one) { return std::ranges::any_of(one.fronts, is_carrying); });
     const bool keeps_alive = data_->bus->keeps_alive();
-    const auto fail = [&](const char* found) {
+    world_.compares(comparison::keep_alive_told);
+    if (keeps_alive && (!is_idle || carries))
         world_.breaks({.point = contract::availability,
                        .who = number(),
-                       .expected = "whether frames only keep slaves from stopping",
-                       .found = found});
-    };
-    world_.compares(comparison::keep_alive_told);
-    if (keeps_alive && (!is_idle || carries)) fail("they do, and a job or a message goes on");
-    // A message to a mailbox.
-    constexpr unsigned fpwr = 5;
-    const unsigned address =
-        std::to_integer<unsigned>(frame[window_at]) | std::to_integer<unsigned>(frame[window_at + 1]) << 8U;
-    const bool is_message = command == fpwr && address == ethercat::slave_description{}.mailbox_out_offset;
-    const bool is_quiet = model_.quiet_for(accounts_.front()) > std::chrono::seconds{1}; // nothing is given up
-    const bool is_of_job = is_message && is_idle && !carries && is_quiet;
-    const bool is_settled =
-        std::ranges::all_of(data_->units, [](const unit& one) { return one.component.stops().settled(); });
-    bool has_emergencies = false;
-    for (std::size_t i = 0; i != wire_.size(); ++i) has_emergencies = has_emergencies || !wire_[i].emergencies.empty();
-    if (is_of_job && is_settled && !has_emergencies && !keeps_alive) fail("they do not, and nothing else goes on");
+                       .expected = "frames that only keep slaves from stopping",
+                       .found = "a job or a message that goes on"});
 }
 
 // Process data are sent each period, where nothing happens; and the times of the cycle are those that are seen.
@@ -630,8 +595,7 @@ void bridge_program::put(bytes message) {
     for (std::size_t i = 0; i != data_->units.size(); ++i) {
         auto& one = data_->units[i];
         if (one.component.self() != parts.header.source) continue;
-        ++deeds_;
-        last_deed_ = "put";
+        does("put");
         model_.answers(accounts_[i], message);
         judges_[i]->sends(message);
         orders_[i]->sends(message);

@@ -90,6 +90,10 @@ class bridge_program final : public process, public frame_user {
     void look_at_idle_turn();
     void has_work() { has_more_ = is_woken_ = true; }
     /// What they have done; a literal, nullptr: nothing.
+    void does(const char* what) {
+        ++deeds_;
+        last_deed_ = what;
+    }
     [[nodiscard]] const char* drive_nodes();
     void look_after(unit& one);
 
@@ -111,10 +115,10 @@ class bridge_program final : public process, public frame_user {
     std::uint64_t frames_of_jobs_{};
     std::optional<jauscat::time_point> cycle_begun_{};
     jaus::hook<void()> on_work_{jaus::bound<&bridge_program::has_work>(*this)};
-    bool is_woken_{};   ///< a component has something to do that its node does not know of
-    bool has_more_{};   ///< something has happened that the next turn goes on with
-    bool is_settled_{}; ///< nothing follows from the last turn
-    const char* last_deed_{};
+    bool is_woken_{};             ///< a component has something to do that its node does not know of
+    bool has_more_{};             ///< something has happened that the next turn goes on with
+    bool is_settled_{};           ///< nothing follows from the last turn
+    const char* last_deed_{};     ///< a literal
     std::uint64_t deeds_{};       ///< what the program has done that shows outside of it
     std::uint64_t windows_{};     ///< of the process images of the last lives, 16 bits for each
     bool has_window_{};           ///< this life has one

@@ -67,8 +67,8 @@ class slave_judge {
     const process& program_;
     judged_slave what_;
     phase phase_{};
-    time next_try_{}, up_at_{}, checked_at_{}, packet_at_{}; // next_try_: of the program's clock
-    std::optional<time> returns_from_{};                     ///< it was used until then
+    time next_try_{}, up_at_{}, checked_at_{}; // next_try_: of the program's clock
+    std::optional<time> returns_from_{};       ///< it was used until then
     std::optional<ethercat::clock_agreement> agreement_{};
     std::optional<std::uint32_t> last_count_{};
     std::uint32_t last_emergency_{};

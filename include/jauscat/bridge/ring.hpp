@@ -346,6 +346,7 @@ class ring {
     [[nodiscard]] JAUSCAT_FUNCTION bool has_lost_station(const place& at) const noexcept;
     JAUSCAT_FUNCTION void give_up_settling(place& at, time_point now, jaus::message_sink out);
     // A slave by mailbox need not be in OP.
+    [[nodiscard]] JAUSCAT_FUNCTION static bool is_seen(const ethercat::slave_status& seen) noexcept;
     [[nodiscard]] JAUSCAT_FUNCTION static bool works_in(const place& at, const ethercat::al_status& al) noexcept;
     [[nodiscard]] JAUSCAT_FUNCTION static std::optional<time_point>
     last_working(const place& at, const ethercat::slave_status& seen) noexcept;

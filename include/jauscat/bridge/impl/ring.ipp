@@ -997,9 +997,7 @@ JAUSCAT_FUNCTION void ring::watch_cycles(time_point now, jaus::message_sink out)
         using enum ethercat::slave_condition;
         if (each.at == phase::settling) {
             const bool is_cyclic = each.front->options().cyclic;
-            const bool is_there = seen.condition != silent && seen.condition != absent && seen.condition != duplicate &&
-                                  works_in(each, seen.al);
-            if (is_cyclic ? seen.condition == running : is_there)
+            if (is_cyclic ? seen.condition == running : is_seen(seen) && works_in(each, seen.al))
                 start_process_data(each, now, out);
             else if (has_lost_station(each) || now >= each.settling_until) // later another slave may have its address
                 give_up_settling(each, now, out);
@@ -1042,6 +1040,12 @@ JAUSCAT_FUNCTION void ring::end_cycle(time_point now) {
     }
 }
 
+// Whether its state is known: one slave, and not several, has answered at its station address.
+JAUSCAT_FUNCTION bool ring::is_seen(const ethercat::slave_status& seen) noexcept {
+    using enum ethercat::slave_condition;
+    return seen.condition != silent && seen.condition != absent && seen.condition != duplicate;
+}
+
 // In a frame of its settling, and not in one that was sent before it was brought up.
 JAUSCAT_FUNCTION bool ring::has_lost_station(const place& at) const noexcept {
     using enum ethercat::slave_condition;
@@ -1053,7 +1057,7 @@ JAUSCAT_FUNCTION bool ring::has_lost_station(const place& at) const noexcept {
 JAUSCAT_FUNCTION void ring::give_up_settling(place& at, time_point now, jaus::message_sink out) {
     const auto& seen = *at.status;
     const bool is_cyclic = at.front->options().cyclic;
-    if (!is_cyclic && seen.condition != ethercat::slave_condition::silent && !works_in(at, seen.al)) {
+    if (!is_cyclic && is_seen(seen) && !works_in(at, seen.al)) {
         at.bring_up = {.code = ethercat::master_errc::al_error, .state = seen.al.state, .al_status = seen.al.code};
         return lose(at, loss::left_state, at.bring_up, now, out);
     }
