@@ -423,15 +423,20 @@ class rendered:
         return self.pieces[position][1]
 
 
+def owner_at(files, place):
+    name = next((name for name in files if place.file and place.file.name.endswith("/" + name)), None)
+    return files[name].owner(place.line, place.column) if name else None
+
+
 def refused(tree, headers, files, options=()):
     """The mutants that clang refuses in the mutated tree; files: rendered texts by name. Errors elsewhere are returned, too."""
     bad, other = {}, []
     for each in parse(tree, headers, options).diagnostics:
         if each.severity < cindex.Diagnostic.Error:
             continue
-        place = each.location
-        name = next((name for name in files if place.file and place.file.name.endswith("/" + name)), None)
-        owner = files[name].owner(place.line, place.column) if name else None
+        # Where a template cannot be instantiated, notes say what uses it.
+        places = [each.location, *(note.location for note in each.children)]
+        owner = next(filter(None, (owner_at(files, place) for place in places)), None)
         if owner is None:
             other.append(str(each))
         else:
