@@ -172,6 +172,9 @@ TEST_CASE("a cyclic position moves within the limits and ends exactly") {
     CHECK(fastest <= 2); // 1 an ms, rounded
     CHECK(r.mine.targets().position == 500);
     CHECK(r.mine.is_target_reached());
+    const auto within = r.mine.move_to(-500);
+    REQUIRE(within);
+    CHECK(*within == acceptance::exact);
 }
 
 TEST_CASE("a cyclic velocity follows a ramp, and stops before a position limit") {
@@ -279,6 +282,11 @@ TEST_CASE("a ramp that does not bring the axis to rest in time ends in a quick s
     r.mine.disable();
     r.cycle(2010); // the drive goes on turning
     CHECK(r.drive.state == state::quick_stop_active);
+    CHECK(r.mine.error().code == axis_errc::ok);
+    r.cycle(1980); // the quick stop has the step time
+    CHECK(r.mine.error().code == axis_errc::ok);
+    r.cycle(20);
+    CHECK(r.mine.error() == axis_error{axis_errc::step_timeout, state::quick_stop_active});
 }
 
 TEST_CASE("quick stop goes out in the same cycle") {
@@ -299,6 +307,19 @@ TEST_CASE("quick stop goes out in the same cycle") {
     r.cycle(8);
     CHECK(r.mine.state() == axis_state::enabled);
     CHECK(r.mine.targets().velocity == 0); // the old target is gone
+}
+
+TEST_CASE("a quick stop that does not bring the axis to rest in time fails it, and goes on") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    REQUIRE(r.mine.run_at(500));
+    r.follow(60);
+    r.mine.quick_stop();
+    r.cycle(2000); // the drive goes on turning
+    CHECK(r.mine.error().code == axis_errc::ok);
+    r.cycle();
+    CHECK(r.mine.error() == axis_error{axis_errc::step_timeout, state::quick_stop_active});
+    CHECK(r.mine.targets().controlword == control_of(command::quick_stop));
 }
 
 TEST_CASE("a ramp that would take longer than its time is a quick stop at once, and any other one is not") {
@@ -391,6 +412,20 @@ TEST_CASE("halt brings the axis to rest and keeps it enabled") {
     r.mine.halt(false);
     r.follow(60);
     CHECK(r.mine.targets().velocity == 0);
+}
+
+TEST_CASE("after a halt an axis pushes with nothing until it is told to") {
+    rig r{{.max_torque = 500, .torque_slope = 100'000}};
+    REQUIRE(r.enable(mode::cyclic_synchronous_torque));
+    REQUIRE(r.mine.push_with(500));
+    r.cycle(20);
+    CHECK(r.mine.targets().torque == 500);
+    r.mine.halt(true);
+    r.cycle(20);
+    CHECK(r.mine.targets().torque == 0);
+    r.mine.halt(false);
+    r.cycle(20);
+    CHECK(r.mine.targets().torque == 0);
 }
 
 TEST_CASE("halt sets its bit in profile modes") {
@@ -530,6 +565,7 @@ TEST_CASE("a set-point of profile position is handed over by its handshake") {
     CHECK(!r.mine.is_target_reached());
     r.drive.bits = status_bits::set_point_acknowledged | status_bits::target_reached;
     r.cycle(2);
+    CHECK(!r.mine.is_target_reached()); // of the last set-point: the handshake has not ended
     for (const std::uint16_t bits : {std::uint16_t{0}, std::uint16_t{0xE800}}) { // none, and all others
         r.drive.bits = bits;
         r.cycle(3);
@@ -557,7 +593,8 @@ TEST_CASE("homing ends by the drive's bits, not by those of an earlier one") {
     r.cycle();
     CHECK((r.mine.targets().controlword & control_bits::start_homing) != 0);
     CHECK(!r.mine.is_homed());
-    r.drive.bits = 0;
+    r.cycle(2);
+    r.drive.bits = 0; // the fourth cycle has those of before, still
     r.cycle(10);
     CHECK(!r.mine.is_homed());
     r.drive.bits = status_bits::homing_attained | status_bits::target_reached;
@@ -724,6 +761,7 @@ TEST_CASE("the error stands until the drive has left its fault") {
     r.drive.feedback.statusword = 0x0001; // of no state: not known to have left it
     r.mine.on_cycle(r.drive.feedback, r.now += 1ms);
     CHECK(r.mine.error().code == axis_errc::drive_fault);
+    CHECK(r.mine.waits_for() == axis_wait::reset);
     r.drive.show();
     for (int i = 0; i != 500 && r.drive.state == state::fault; ++i) {
         CHECK(r.mine.error().code == axis_errc::drive_fault);
@@ -758,7 +796,10 @@ TEST_CASE("a drive that shows no state gets the quick stop, then no voltage") {
         if (!on) r.mine.disable();
         r.drive.feedback.statusword = 0x0001;
         const auto cycle = [&] { return r.mine.on_cycle(r.drive.feedback, r.now += 1ms).controlword; };
-        for (int i = 0; i != 1900; ++i) CHECK(cycle() == 0x02);
+        for (int i = 0; i != 2000; ++i) CHECK(cycle() == 0x02);
+        CHECK(r.mine.error().code == (on ? axis_errc::enable_lost : axis_errc::ok));
+        cycle(); // the step time is over
+        CHECK(r.mine.error().code == (on ? axis_errc::enable_lost : axis_errc::step_timeout));
         for (int i = 0; i != 2500; ++i) cycle();
         CHECK(cycle() == 0x00);
         CHECK(r.mine.error().code == (on ? axis_errc::enable_lost : axis_errc::step_timeout));

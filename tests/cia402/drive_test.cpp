@@ -1,6 +1,9 @@
 // The emulated drive against the master's axis, and by its objects.
 #include "support/catch.hpp"
+#include "support/simulated_link.hpp"
 #include <jauscat/ethercat/cia402/emulated_drive.hpp>
+#include <jauscat/ethercat/master/process_data.hpp>
+#include <jauscat/ethercat/slave/assignable_pdos.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 
 #include <cmath>
@@ -107,6 +110,10 @@ TEST_CASE("a fault passes through its reaction, and is reset by an edge once its
     CHECK(r.cycles_in(state::fault_reaction_active) >= 5);    // 50,000 at 5,000,000 a second
     CHECK(r.motor().state() == state::fault);                 // transition 14
     CHECK(r.values().error_code == error_codes::over_temperature);
+    r.motor().disturbed.fault = error_codes::over_current; // a second one does not replace the first
+    r.exchange();
+    CHECK(r.motor().state() == state::fault);
+    CHECK(r.values().error_code == error_codes::over_temperature);
     r.send(0x80);
     CHECK(r.motor().state() == state::fault);
     r.motor().disturbed.fault = 0;
@@ -159,7 +166,9 @@ TEST_CASE("halt, disable operation and shutdown stop by their options") {
     disabled.turn(50'000);
     disabled.send(0x07);
     CHECK(disabled.motor().state() == state::operation_enabled); // on the ramp
-    disabled.send(0x07, mode::cyclic_synchronous_velocity, 60);
+    disabled.send(0x07, mode::cyclic_synchronous_velocity, 30);
+    CHECK(disabled.motor().state() == state::operation_enabled); // 1,000,000 a second
+    disabled.send(0x07, mode::cyclic_synchronous_velocity, 30);
     CHECK(disabled.motor().state() == state::switched_on);
 
     rig shut;
@@ -168,6 +177,34 @@ TEST_CASE("halt, disable operation and shutdown stop by their options") {
     shut.send(0x06, mode::cyclic_synchronous_velocity, 60);
     CHECK(shut.motor().state() == state::ready_to_switch_on);
     CHECK(std::abs(shut.motor().velocity()) < 1);
+}
+
+TEST_CASE("a drive that is enabled again on its ramp stays enabled") {
+    rig r;
+    r.turn(50'000);
+    r.send(0x07);
+    CHECK(r.motor().state() == state::operation_enabled);
+    for (int i = 0; i != 100; ++i) {
+        r.send(0x0F, mode::cyclic_synchronous_velocity, 1);
+        CHECK(r.motor().state() == state::operation_enabled);
+    }
+}
+
+TEST_CASE("a motor has the speed of its model at most") {
+    rig r;
+    r.drive = emulated_drive<>{motor_model{.max_speed = 1000}};
+    r.enable_by_hand();
+    r.places.store({.controlword = 0x0F, .mode = mode::cyclic_synchronous_velocity, .velocity = 50'000}, r.outputs);
+    for (int i = 0; i != 50; ++i) r.exchange();
+    CHECK(r.motor().velocity() == Approx(1000).margin(1));
+}
+
+TEST_CASE("a motor takes a velocity that its torque allows in one cycle, and no more") {
+    rig r;
+    r.enable_by_hand();
+    r.places.store({.controlword = 0x0F, .mode = mode::cyclic_synchronous_velocity, .velocity = 1000}, r.outputs);
+    r.exchange();
+    CHECK(r.motor().velocity() == Approx(1000).epsilon(1e-6));
 }
 
 TEST_CASE("a shaft that is placed stands still") {
@@ -312,6 +349,23 @@ TEST_CASE("a homing method that the drive does not have shows an error at rest")
     CHECK(r.mine.error().code == axis_errc::homing_failed);
 }
 
+TEST_CASE("the result of a homing stands until the next one, its error until its command ends") {
+    rig r;
+    constexpr unsigned done = status_bits::homing_attained | status_bits::target_reached;
+    constexpr unsigned failed = status_bits::homing_error | status_bits::target_reached;
+    const auto bits = [&](std::uint16_t word) {
+        r.send(word, mode::homing);
+        return r.values().statusword & (done | failed);
+    };
+    r.enable_by_hand(mode::homing);
+    CHECK(bits(0x0F) == status_bits::target_reached); // at rest
+    CHECK(bits(0x1F) == done);
+    CHECK(bits(0x0F) == done);
+    r.values().homing_method = 1; // no switch
+    CHECK(bits(0x1F) == failed);
+    CHECK(bits(0x0F) == status_bits::target_reached);
+}
+
 TEST_CASE("a following error shows before it is a fault") {
     rig r;
     r.values().following_error_time = 200;
@@ -324,6 +378,25 @@ TEST_CASE("a following error shows before it is a fault") {
     r.cycle(300);
     CHECK(r.mine.error().drive_code == error_codes::following_error);
     CHECK(!r.mine.has_following_error());
+}
+
+TEST_CASE("a shaft that is blocked in profile position ends in a following error, too") {
+    rig r;
+    REQUIRE(r.enable(mode::profile_position));
+    r.motor().disturbed.blocked = true;
+    REQUIRE(r.mine.move_to(1'000'000));
+    r.cycle(1000);
+    CHECK(r.mine.error().drive_code == error_codes::following_error);
+    CHECK(r.motor().state() == state::fault);
+}
+
+TEST_CASE("a drive that was not called for long continues with a tenth of a second") {
+    rig r;
+    r.turn(50'000);
+    const double at = r.motor().position();
+    r.now += 10s;
+    r.exchange();
+    CHECK(r.motor().position() - at == Approx(5'000).margin(50));
 }
 
 TEST_CASE("a blocked shaft ends in a following error, and the axis says so") {
@@ -359,6 +432,13 @@ TEST_CASE("software limits hold in every mode") {
     r.cycle(100);
     CHECK(r.values().position_actual < 1200);
     CHECK(r.values().velocity_actual == 0);
+    REQUIRE(r.mine.run_at(-50'000)); // inwards, to the other limit
+    r.cycle(80);                     // the axis turns round at 1,000,000 a second
+    CHECK(r.values().velocity_actual < -10'000);
+    r.cycle(200);
+    CHECK(r.values().position_actual < -900);
+    CHECK(r.values().position_actual > -1400);
+    CHECK(r.values().velocity_actual == 0);
 }
 
 TEST_CASE("a drive that leaves OP stops by itself") {
@@ -371,6 +451,92 @@ TEST_CASE("a drive that leaves OP stops by itself") {
     CHECK(r.motor().state() == state::fault);
     CHECK(r.values().error_code == error_codes::communication);
     CHECK((r.values().statusword & status_bits::remote) == 0);
+}
+
+TEST_CASE("a drive that is not in OP takes no command but the reset of a fault") {
+    rig r;
+    r.operational = false;
+    r.exchange();
+    for (const auto each : {command::shutdown, command::quick_stop}) {
+        r.values().controlword = control_of(each);
+        r.exchange();
+        CHECK(r.motor().state() == state::switch_on_disabled);
+    }
+    r.motor().disturbed.fault = error_codes::over_temperature;
+    r.exchange();
+    r.exchange();
+    CHECK(r.motor().state() == state::fault);
+    r.motor().disturbed.fault = 0;
+    r.values().controlword = control_of(command::fault_reset);
+    r.exchange();
+    CHECK(r.motor().state() == state::switch_on_disabled);
+}
+
+TEST_CASE("a drive that leaves OP is ready to be switched on no longer, as soon as nothing prevents it") {
+    rig r;
+    r.send(0x06);
+    CHECK(r.motor().state() == state::ready_to_switch_on);
+    r.motor().disturbed.refused = state::switch_on_disabled;
+    r.operational = false;
+    r.exchange();
+    CHECK(r.motor().state() == state::ready_to_switch_on);
+    r.motor().disturbed.refused.reset();
+    r.exchange();
+    CHECK(r.motor().state() == state::switch_on_disabled);
+}
+
+namespace {
+
+/// A drive whose PDOs its master assigns.
+struct assigned_drive {
+    emulated_drive<> drive{};
+    ethercat::standard_objects standard{drive_description<>, drive};
+    ethercat::assignable_pdos pdos{drive_description<>, standard};
+    ethercat::slave slave{drive_description<>, pdos};
+    ethercat::master_for<1> master{};
+    test::simulated_link link{[this](std::span<std::byte> frame) { pass(frame); }};
+
+    void pass(std::span<std::byte> frame) {
+        slave.process(frame);
+        drive.work(slave, pdos, link.now);
+    }
+    void write(std::uint16_t index, std::uint8_t subindex, const std::vector<int>& bytes) {
+        std::vector<std::byte> data;
+        for (const int each : bytes) data.push_back(static_cast<std::byte>(each));
+        REQUIRE(link.run(master, ethercat::download{1, index, subindex, data}));
+    }
+};
+
+} // namespace
+
+TEST_CASE("a drive takes the targets that its master has assigned, in OP") {
+    assigned_drive d;
+    REQUIRE(d.link.run(d.master, ethercat::bring_up{0, 1}));
+    d.write(0x1600, 0, {0});
+    d.write(0x1600, 1, {0x20, 0x00, 0xFF, 0x60}); // target velocity
+    d.write(0x1600, 2, {0x10, 0x00, 0x40, 0x60}); // controlword
+    d.write(0x1600, 0, {2});
+    d.write(0x6060, 0, {9}); // cyclic synchronous velocity
+    REQUIRE(d.link.run(d.master, ethercat::configure{1}));
+    CHECK(d.slave.outputs().size() == 6);
+    REQUIRE(d.link.run(d.master, ethercat::change_state{1, ethercat::al_state::safe_op}));
+    REQUIRE(d.link.run(d.master, ethercat::change_state{1, ethercat::al_state::op}));
+    ethercat::process_data_for<1, 64> data{d.master.slaves(), ethercat::process_options{}};
+    REQUIRE(data.fits());
+    const auto outputs = data.outputs(d.master.slaves()[0]);
+    for (const int word : {0x06, 0x07, 0x0F})
+        for (int i = 0; i != 50; ++i) {
+            outputs[1] = std::byte{4}; // 1024 a second
+            outputs[4] = static_cast<std::byte>(word);
+            d.link.now += 1ms;
+            std::vector<std::byte> frame(ethercat::max_frame_size);
+            data.begin_cycle();
+            frame.resize(data.next_frame(frame, d.link.now));
+            d.pass(frame);
+            data.on_frame(frame);
+        }
+    CHECK(d.drive.axes[0].state() == state::operation_enabled);
+    CHECK(d.drive.axes[0].velocity() == Approx(1024).margin(1));
 }
 
 TEST_CASE("faults can be injected: supply, a state that is refused") {

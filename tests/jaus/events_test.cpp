@@ -158,6 +158,17 @@ TEST_CASE("a periodic event is sent at the confirmed rate, without drift and wit
     REQUIRE(p.events.skipped() == 1);
 }
 
+TEST_CASE("the report of a periodic event is read when the event is due, not before") {
+    provider p;
+    p.create({.message_code = velocity,
+              .event_type = event_type::periodic,
+              .limit_data_field = std::uint8_t{2},
+              .requested_periodic_rate = 10});
+    REQUIRE(p.queries.empty());
+    REQUIRE(p.wait(0s) == 1);
+    REQUIRE(p.queries.size() == 1);
+}
+
 TEST_CASE("a periodic event without repeat is sent only after a change") {
     provider p;
     p.create(
@@ -463,6 +474,7 @@ TEST_CASE("an impossible event is rejected with the reason") {
     REQUIRE(p.rejects(limited(event_boundary::equal, x)) == invalid_event_setup);
     REQUIRE(p.rejects(limited(event_boundary::equal, std::nullopt, real(1))) == invalid_event_setup);
     REQUIRE(p.rejects(limited(event_boundary::inside_inclusive, x, real(1))) == invalid_event_setup);
+    REQUIRE(p.rejects(limited(event_boundary::inside_inclusive, x, std::nullopt, real(1))) == invalid_event_setup);
     REQUIRE(p.rejects(limited(event_boundary{10}, x, real(1), real(2))) == invalid_event_setup);
     REQUIRE(p.rejects(limited(event_boundary::equal, std::uint8_t{1}, real(1))) == invalid_event_setup);
     REQUIRE(p.rejects(limited(event_boundary::equal, std::uint8_t{11}, real(1))) == invalid_event_setup);
@@ -759,7 +771,7 @@ TEST_CASE("the place of a cancelled event is kept only while the provider may ha
     REQUIRE(c.first().state == requested_state::cancelling);
     REQUIRE(c.sent.size() == 2); // the request again: its answer has the ID, by which the event is then cancelled
     REQUIRE(c.sent[1] == c.sent[0]);
-    c.hear(confirmed("00 01 04 44 07 00"));
+    REQUIRE(c.hear(confirmed("00 01 04 44 07 00")).what == event_notice::confirmed);
     REQUIRE(c.hear(confirmed("00 02 04 44 07 00")).what == event_notice::cancelled);
 
     REQUIRE(c.events.create(sensor, wanted, instant{1s}, c.sent.sink()) == 0);
@@ -908,6 +920,12 @@ TEST_CASE("an event without a request is cancelled, at most once for each answer
     c.sent.clear();
     REQUIRE(c.hear(event_number(3), 5s).what == event_notice::unknown);
     REQUIRE(c.sent.empty());
+    // That of another report is none that was asked for.
+    c.hear(jauscat::test::message({.destination = viewer, .source = sensor},
+                                  jaus::event{.event_id = 7, .message_code = devices}),
+           5s);
+    REQUIRE(c.sent.size() == 1);
+    REQUIRE(c.sent.body<jaus::cancel_event>(0).message_code == devices);
 
     // What an earlier life has left goes on until it is cancelled.
     provider p;
@@ -929,11 +947,13 @@ TEST_CASE("events continue after a gap that exceeds their numbers") {
     // Late ones and copies of those before are dropped, at first.
     REQUIRE(c.hear(event_number(9), 1900ms).what == event_notice::repeated);
     REQUIRE(c.hear(event_number(8), 1900ms).what == event_notice::repeated);
+    REQUIRE(c.hear(event_number(9 + 128), 1900ms).what == event_notice::repeated); // as far behind as ahead
     // A cable that was out for 130 events.
     REQUIRE(c.hear(event_number(9 + 130), 2s).what == event_notice::event);
     REQUIRE(c.first().lost == 0);
     REQUIRE(c.hear(event_number(9 + 131), 2s).what == event_notice::event);
     REQUIRE(c.hear(event_number(9 + 131 + 256), 3s).what == event_notice::event);
+    REQUIRE(c.hear(event_number(9 + 131 + 256 + 128), 4s).what == event_notice::event);
 }
 
 TEST_CASE("late events and copies are dropped at any time, also after a silence") {
@@ -1069,6 +1089,26 @@ TEST_CASE("a silent provider of change events is detected, and queried until it 
     REQUIRE(c.first().event_id == 2);
     anew.drive(2, last + 13s);
     REQUIRE(converse(anew, c, last + 13s) == 1);
+}
+
+TEST_CASE("an event answers a query as well as a list does") {
+    consumer c;
+    REQUIRE(c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, instant{0s},
+                            c.sent.sink()));
+    c.hear(confirmed("00 01 04 44 07 00"));
+    time_point now{};
+    for (unsigned number = 0; number != 10; ++number) {
+        now = *c.events.next_event();
+        c.sent.clear();
+        c.events.on_time(now, c.sent.sink());
+        REQUIRE(c.sent.body<jaus::query_events>(0).event_id == std::uint8_t{7});
+        REQUIRE(c.hear(event_number(number), now).what == event_notice::event);
+        REQUIRE(c.events.next_event() == now + 5s);
+    }
+    // Then it is silent: five queries before the request.
+    c.sent.clear();
+    while (c.first().state == requested_state::active) c.events.on_time(*c.events.next_event(), c.sent.sink());
+    REQUIRE(c.sent.size() == 6);
 }
 
 TEST_CASE("a list of events answers only the query for an event that it has") {

@@ -302,6 +302,9 @@ TEST_CASE("packets that may belong to two data sets are not combined") {
     // The head of one, and after a long silence the tail of the next, whose head was not received.
     r.hear(data_flag::first, 0, "01", 100ms);
     REQUIRE(r.hear(data_flag::last, 1, "0b", 1101ms) == reassembled::waiting);
+    // The same, where the second asks for acknowledgement.
+    r.hear(data_flag::first, 0, "01", 8000ms);
+    REQUIRE(r.hear(data_flag::last, 1, "0b", 9001ms, 1, 0x4807, jaus::ack_nak::request) == reassembled::waiting);
     // Two that begin alike.
     r.hear(data_flag::first, 0, "01", 2000ms);
     r.hear(data_flag::middle, 1, "02", 2000ms);
@@ -365,6 +368,16 @@ TEST_CASE("a silent data set is replaced by another") {
     });
     REQUIRE(r.lost.size() == 2);
     REQUIRE(r.hear(data_flag::last, 1, "04", 1700ms, 3) == reassembled::whole);
+}
+
+TEST_CASE("a silent data set keeps its place while another place is free") {
+    receiver r;
+    r.hear(data_flag::first, 0, "01", 0ms, 1);
+    r.hear(data_flag::first, 0, "02", 500ms, 2);
+    REQUIRE(r.hear(data_flag::last, 1, "03", 500ms, 2) == reassembled::whole);
+    REQUIRE(r.hear(data_flag::first, 0, "04", 1200ms, 3) == reassembled::waiting);
+    REQUIRE(r.lost.empty());
+    REQUIRE(r.hear(data_flag::last, 1, "05", 1200ms, 3) == reassembled::whole);
 }
 
 TEST_CASE("a data set with more bytes or packets than a place holds is dropped, without effect on others") {

@@ -244,6 +244,18 @@ TEST_CASE("loss of a peer is detected at the time that next_event returned") {
     REQUIRE(n.seen.size() == 10);
 }
 
+TEST_CASE("a silent peer is removed from every place of the table") {
+    std::array<jaus::liveness_table::place, 4> places{};
+    jaus::liveness_table table{places};
+    for (unsigned id = 1; id != 33; ++id) {
+        REQUIRE(table.on_heard(make(2, id), instant{id * 10s}, 1s) == jaus::heard::appeared);
+        std::string gone;
+        table.on_time(instant{id * 10s + 1s}, [&](const jaus::address& who) { gone += text(who); });
+        REQUIRE(gone == text(make(2, id)));
+        REQUIRE(table.next_event() == std::nullopt);
+    }
+}
+
 TEST_CASE("a flood of peers fills the free places, is counted, and displaces no peer") {
     node n;
     n.beat(make(2, 1), 0s);
@@ -343,10 +355,14 @@ TEST_CASE("a node manager without a survey queries another node once, when it ap
     node n;
     jaus::node_manager once{make(1, 2), n.description, {n.places, n.list_memory, n.report}, {.survey = 0s}};
     const jaus::header beat{.command_code = 0x4202, .destination = make(255, 255), .source = make(1, 5)};
+    const jaus::header answer{.command_code = 0x4B01, .destination = make(1, 2), .source = make(1, 5)};
+    const std::array<std::byte, 5> body{std::byte{1}, std::byte{5}, std::byte{1}, std::byte{33}, std::byte{1}};
     for (int second = 0; second != 100; ++second) {
         REQUIRE(once.on_message(beat, {}, instant{second * 1s}, n.out) == message_outcome::handled);
+        if (second == 0) REQUIRE(once.on_message(answer, body, instant{0s}, n.out) == message_outcome::handled);
         once.on_time(instant{second * 1s}, n.out);
     }
+    REQUIRE(once.present().find(make(1, 5, 33)) != nullptr); // as long as its node manager
     REQUIRE(std::ranges::count(n.out.take(), "2B01 1.2.1.1 to 1.5.1.1") == 1);
 }
 
@@ -486,6 +502,17 @@ TEST_CASE("a list memory that is too small refuses the report") {
         REQUIRE(what == message_outcome::refused);
     }
     REQUIRE(n.out.lines.empty());
+    // So is that of another node, which is not malformed.
+    REQUIRE(small.on_message({.command_code = 0x4202, .source = make(1, 5)}, {}, instant{0s}, n.out) ==
+            message_outcome::handled);
+    const std::array<jaus::configured_component, 40> theirs{};
+    const std::array<jaus::configured_node, 1> nodes{{{5, theirs}}};
+    std::array<std::byte, 256> body{};
+    const auto report = wire::encode(jaus::report_configuration{nodes}, body);
+    REQUIRE(report);
+    const jaus::header head{.command_code = 0x4B01, .source = make(1, 5)};
+    CHECK(small.on_message(head, *report, instant{0s}, n.out) == message_outcome::refused);
+    CHECK(small.on_message(head, std::span{body}.first(1), instant{0s}, n.out) == message_outcome::malformed);
 }
 
 TEST_CASE("a node manager is a part of a component, which acknowledges what it executes") {

@@ -162,6 +162,20 @@ TEST_CASE("a multicast group replaces unicast routes, except for peers outside o
     n.hear(make(255, 255, 1, 1), make(1, 9, 33, 1), 7).expect(routed::ok, "c0 h4 h6 ");
 }
 
+TEST_CASE("a node with a primary sends broadcasts to the group of its subsystem, and those for others to the primary") {
+    node n{1};
+    REQUIRE(n.table.add_route(make(1, 255, 0, 0), 7) == added::ok);
+    n.hear(make(1, 255, 33, 1), own, jaus::here).expect(routed::ok, "h7 ");
+    n.hear(make(2, 255, 33, 1), own, jaus::here).expect(routed::ok, "h1 ");
+}
+
+TEST_CASE("a broadcast takes the route to a whole node, not those to its components") {
+    node n;
+    REQUIRE(n.table.add_route(make(1, 3, 33, 0), 8) == added::ok);
+    n.hear(make(1, 255, 33, 1), own, jaus::here).expect(routed::ok, "h1 h2 ");
+    n.hear(make(1, 3, 33, 1), own, jaus::here).expect(routed::ok, "h8 ");
+}
+
 TEST_CASE("a multicast group of one component gets messages to that component only") {
     node n{2};
     REQUIRE(n.table.add_route(make(255, 255, 33, 0), 6) == added::ok);

@@ -343,6 +343,7 @@ TEST_CASE("a connection without a report for three periods is stale and requeste
     REQUIRE(c.first().state == consumed_state::stale);
     REQUIRE(c.service.next_event() == *due + 1s);
     c.service.on_time(*due + 1s, c.sent.sink());
+    REQUIRE(c.first().asked_at == *due + 1s);
     REQUIRE(c.sent.size() == 2);
     REQUIRE(to_hex(c.sent[1]) == "06 02 08 00 01 26 01 02 01 28 01 01 08 00 00 00 02 44 58 02 0f 00 00 00");
 
@@ -422,6 +423,10 @@ TEST_CASE("a late report of the count before is dropped after the provider has b
         for (std::uint16_t i = 40; i != 71; ++i) REQUIRE(c.report(i, 2s).what == consumer_notice::old_report);
         REQUIRE(c.report(71, 2s).what == consumer_notice::report);
         REQUIRE(c.report(72, 2s).what == consumer_notice::report);
+    }
+    SECTION("a step of 33 is that of a late report, one of 32 is not") {
+        REQUIRE(c.report(34, 1100ms).what == consumer_notice::old_report);
+        REQUIRE(c.report(33, 1100ms) == jaus::consumer_outcome{consumer_notice::report, 0, 31});
     }
     SECTION("it does not last") { REQUIRE(c.report(40, 7s) == jaus::consumer_outcome{consumer_notice::report, 0, 38}); }
 }

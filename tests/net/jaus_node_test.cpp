@@ -285,6 +285,46 @@ TEST_CASE("a component that its node cannot have is refused with the reason") {
     REQUIRE(refusal(make(1, 2)) == "the node has its node manager, 1.2.1.1, already");
 }
 
+namespace {
+
+/// Counts what it gets, and waits for nothing.
+struct counting_component {
+    unsigned messages{}, times{};
+
+    static jaus::address self() { return make(2, 1, 33); }
+    jaus::component_outcome on_message(const jaus::header&, std::span<const std::byte>, jauscat::time_point,
+                                       jaus::message_sink, auto&&) {
+        ++messages;
+        return jaus::component_outcome::handled;
+    }
+    void on_time(jauscat::time_point, jaus::message_sink) { ++times; }
+    static std::optional<jauscat::time_point> next_event() { return std::nullopt; }
+    static void on_lost(const jaus::address&) {}
+};
+
+} // namespace
+
+TEST_CASE("a node that waits for nothing works at once on what its program sends, and when it is woken") {
+    boost::asio::io_context context;
+    counting_component mine;
+    constexpr auto soon = 5s; // the node manager asks others every ten seconds
+    const auto nothing = [](const jaus::header&, std::span<const std::byte>) { return jaus::message_outcome::handled; };
+    net::jaus_node node{
+        context, config("robot", system("robot", "2.0.0.0", free_ports<1>()[0])), {.beat = {.period = 1h}}};
+    node.add(mine, nothing);
+    node.start();
+    static_cast<void>(net::run_until(context, 50ms, [] { return false; }));
+
+    const auto before = mine.times;
+    node.wake();
+    CHECK(net::run_until(context, soon, [&] { return mine.times != before; }));
+    REQUIRE(node.send({.command_code = 0xD100, .destination = mine.self(), .source = make(2, 1)}, bytes{}));
+    CHECK(net::run_until(context, soon, [&] { return mine.messages == 1; }));
+    std::array<std::byte, jaus::header_size> message{};
+    node.out()(*jaus::join({.command_code = 0xD100, .destination = mine.self(), .source = make(2, 1)}, {}, message));
+    CHECK(net::run_until(context, soon, [&] { return mine.messages == 2; }));
+}
+
 TEST_CASE("an exception from the log handler during a component's send leaves the io_context") {
     boost::asio::io_context context;
     const auto ports = free_ports<3>(); // nobody listens at the second: sending to the third hears of it

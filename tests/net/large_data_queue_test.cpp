@@ -341,6 +341,15 @@ TEST_CASE("a large data set that is refused ends at the first NAK") {
     REQUIRE(refused.now < instant{100ms});
 }
 
+TEST_CASE("a component that is alone in its program has all memory for large data sets") {
+    transfer t{conditions{}};
+    const std::size_t most = (std::size_t{1} << 22U) / jauscat::net::jaus_node_options{}.large_data_sets;
+    REQUIRE(t.queue.push(head, image(most, 1)) == jaus::errc::ok);
+    t.run(20s);
+    CHECK(t.outcomes == std::vector{jaus::delivered::acknowledged});
+    CHECK(t.arrived.size() == 1);
+}
+
 TEST_CASE("no packet of a large data set is sent after a NAK of one of them") {
     large_data_queue queue{std::size_t{1} << 20U, {}};
     std::vector<std::uint16_t> sent;
@@ -366,9 +375,12 @@ TEST_CASE("no packet of a large data set is sent after a NAK of one of them") {
     answer(0, jaus::ack_nak::ack);
     pass();
     REQUIRE(sent.size() == 5);
-    answer(1, jaus::ack_nak::nak);
     pass();
-    CHECK(sent.size() == 5);
+    REQUIRE(sent.size() == 9); // waits for no acknowledgement but the first
+    answer(1, jaus::ack_nak::nak);
+    answer(2, jaus::ack_nak::ack); // has no effect, and is not the component's
+    pass();
+    CHECK(sent.size() == 9);
     CHECK(outcomes == std::vector{jaus::delivered::refused});
     CHECK(queue.size() == 0);
 }
@@ -385,6 +397,111 @@ TEST_CASE("a data set without acknowledgement, or for a broadcast address, is se
     REQUIRE(t.packets == 2 * 5);
     REQUIRE(t.outcomes.empty());
     REQUIRE(t.now < instant{100ms + 500ms}); // the second goes to the receiver of the first too
+}
+
+TEST_CASE("the first packet of a large data set has its flag in each repeat, and the next ones follow it") {
+    large_data_queue queue{100'000, {}};
+    std::vector<std::pair<jaus::data_flag, std::uint16_t>> sent;
+    jauscat::time_point now{};
+    const auto pass = [&](nanoseconds time) {
+        for (const auto end = now + time; now < end; now += 1ms)
+            queue.on_time(now,
+                          [&](std::span<const std::byte> packet) {
+                              const auto m = jaus::split(packet);
+                              sent.emplace_back(m.header.data_flag, m.header.sequence_number);
+                          },
+                          {});
+    };
+    REQUIRE(queue.push(head, image(10'000, 1)) == jaus::errc::ok);
+    pass(101ms);
+    REQUIRE(queue.on_acknowledgement(
+        {.ack_nak = jaus::ack_nak::ack, .command_code = 0xD111, .destination = camera, .source = screen}, now));
+    pass(2ms);
+    using enum jaus::data_flag;
+    const std::vector<std::pair<jaus::data_flag, std::uint16_t>> expected{
+        {first, 0}, {first, 0}, {first, 0}, {middle, 1}};
+    CHECK((sent == expected));
+}
+
+TEST_CASE("a large data set without acknowledgement waits for the last one to its destination, whatever went between") {
+    large_data_queue queue{100'000, {}};
+    auto plain = head;
+    plain.ack_nak = jaus::ack_nak::none;
+    auto elsewhere = plain;
+    elsewhere.destination.subsystem = 3;
+    jauscat::time_point now{};
+    const auto sent_after = [&](const jaus::header& to) {
+        REQUIRE(queue.push(to, bytes(5'000)) == jaus::errc::ok);
+        const auto begin = now;
+        for (; queue.size() != 0; now += 1ms) queue.on_time(now, [](std::span<const std::byte>) {}, {});
+        return now - begin;
+    };
+    CHECK(sent_after(plain) < 10ms);
+    CHECK(sent_after(elsewhere) < 10ms);
+    CHECK(sent_after(plain) > 480ms);
+}
+
+TEST_CASE(
+    "a large data set of which only the first packet came is dropped after its timeout, also if that was copied") {
+    jaus::component_memory<> memory{};
+    jaus::component core{screen, memory, {}, {}};
+    auto application = [](const jaus::header&, std::span<const std::byte>) { return jaus::message_outcome::handled; };
+    const jauscat::net::jaus_node_options options{.large_data_timeout = 3s};
+    std::vector<std::string> lines;
+    jauscat::net::limited_log log{[&](std::string_view line) { lines.emplace_back(line); }};
+    jauscat::net::detail::node_components components{options, log};
+    components.add({core, application});
+    components.start(1U << 20U, nullptr);
+    const auto ignore = [](std::span<const std::byte>) {};
+    auto packet = head;
+    packet.data_flag = jaus::data_flag::first;
+    for (const auto at : {10s, 11s}) components.hand_on(0, packet, image(10, 1), {.now = instant{at}}, ignore);
+    components.on_time(instant{13s}, ignore);
+    CHECK(lines.empty());
+    REQUIRE(components.next_event() == instant{14s});
+    components.on_time(instant{14s}, ignore);
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0].find("is dropped after 1 packets") != std::string::npos);
+}
+
+TEST_CASE("the components beside a node manager have equal parts of the memory for large data sets") {
+    std::array<jaus::liveness_table::place, 4> places{};
+    const jaus::liveness_table present{places};
+    jaus::component_memory<> first{}, second{}, third{};
+    jaus::component manager{{1, 1, 1, 2}, first, {}, {}}, one{{1, 32, 1, 2}, second, {}, {}},
+        other{{1, 33, 1, 2}, third, {}, {}};
+    for (auto* const each : {&manager, &one, &other}) each->change(jaus::state_event::initialized);
+    unsigned taken = 0;
+    auto application = [&](const jaus::header&, std::span<const std::byte>) {
+        ++taken;
+        return jaus::message_outcome::handled;
+    };
+    const jauscat::net::jaus_node_options options{.large_data_sets = 1};
+    jauscat::net::limited_log log{{}};
+    jauscat::net::detail::node_components components{options, log};
+    components.add({manager, application});
+    components.add({one, application});
+    components.add({other, application});
+    components.start(20'000, &present); // 5,000 are the node manager's
+    const auto takes = [&](std::uint16_t place, std::size_t size) {
+        const auto before = taken;
+        auto packet = head;
+        packet.ack_nak = jaus::ack_nak::none;
+        packet.command_code = static_cast<std::uint16_t>(0xD111 + size % 2);
+        for (const auto flag : {jaus::data_flag::first, jaus::data_flag::last}) {
+            packet.data_flag = flag;
+            packet.sequence_number = flag == jaus::data_flag::last;
+            const std::size_t part = flag == jaus::data_flag::first ? 4'000 : size - 4'000;
+            components.hand_on(place, packet, bytes(part), {.now = instant{1s}}, [](std::span<const std::byte>) {});
+        }
+        return taken != before;
+    };
+    CHECK(takes(0, 5'000));
+    CHECK_FALSE(takes(0, 5'001));
+    for (const std::uint16_t place : {std::uint16_t{1}, std::uint16_t{2}}) {
+        CHECK(takes(place, 7'500));
+        CHECK_FALSE(takes(place, 7'501));
+    }
 }
 
 TEST_CASE("acknowledgements for other senders are not consumed by the queue") {

@@ -184,6 +184,14 @@ TEST_CASE("a component lists each message that its dispatcher handles or its par
     REQUIRE(offered.output == list{{0x0009}, {0x4405, 0xFFFFFFFF}});
 }
 
+TEST_CASE("a message that the node manager does not know is told in the log") {
+    simulated_pair p;
+    REQUIRE(p.ocu.node.send({.command_code = 0xD111, .destination = make(2, 1), .source = p.ocu.self},
+                            std::span<const std::byte>{}, p.network.now));
+    p.network.run(p.network.now + 1s);
+    CHECK(p.robot.logged("at 2.1.1.1: unknown message"));
+}
+
 TEST_CASE("a node without sockets reports refusals of its gate") {
     simulated_pair p;
     std::array<std::byte, 64> message{};

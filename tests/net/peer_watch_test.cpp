@@ -82,6 +82,16 @@ TEST_CASE("a peer that only receives stays while it answers, and its answers hav
     REQUIRE(p.second.logged("Report Heartbeat Pulse (0x4202) 1.1.32.1 -> 2.1.33.1: at 2.1.33.1: unknown message"));
 }
 
+TEST_CASE("a peer that the program itself reports as lost is not watched any more") {
+    node_in_two_programs p;
+    p.connect();
+    p.second.node.lose(p.ocu.self, p.network.now);
+    CHECK_FALSE(p.second.connections.next_event());
+    p.network.detach(p.ocu.at);
+    p.run_for(10s);
+    CHECK_FALSE(p.second.logged("1.1.32.1 does not answer any more"));
+}
+
 TEST_CASE("loss of a peer whose node has no node manager is detected, also by a program with one") {
     simulated_network network{};
     const auto systems = system("operator", "1.1.32.0", 1001) + system("robot", "2.0.0.0", 1002);
