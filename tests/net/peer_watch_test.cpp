@@ -1,6 +1,8 @@
 // Loss of peers that no node manager reports, in simulated time.
 #include "net/simulated_program.hpp"
 #include "support/instant.hpp"
+#include <jauscat/net/node/detail/peer_watch.hpp>
+#include <jauscat/schema/jaus/event.hpp>
 
 using namespace net_test;
 using support::instant;

@@ -169,7 +169,8 @@ void order_judge::merged(const jaus::header& head) {
     const auto count = std::ranges::count_if(seen_, [&](const order& each) {
         return each.head.command_code == head.command_code && (what_.is_cyclic || each.head.source == head.source);
     });
-    if (count < 2 || !moves(head.command_code))
+    const bool is_after_stop = stopped_at_ + std::chrono::seconds{1} > world_.now(); // merged with its rest
+    if ((count < 2 && !is_after_stop) || !moves(head.command_code))
         breaks(contract::availability, "a command that is merged with the one before", "there is none");
 }
 

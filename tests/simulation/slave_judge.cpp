@@ -168,7 +168,7 @@ void slave_judge::emergency(const ethercat::coe_emergency& what) {
                            return is_same(one.what, what) && one.at <= world_.now();
                        });
     says(was_sent, "an emergency that its slave has sent", "number " + std::to_string(number));
-    says(number > last_emergency_ || wire_.is_rough(), "emergencies in their order, and once",
+    says(number > last_emergency_ || !is_quiet_for(seconds{1}), "emergencies in their order, and once",
          "number " + std::to_string(number) + " after " + std::to_string(last_emergency_));
     last_emergency_ = number;
 }
