@@ -423,9 +423,8 @@ class rendered:
         return self.pieces[position][1]
 
 
-def owner_at(files, place):
-    name = next((name for name in files if place.file and place.file.name.endswith("/" + name)), None)
-    return files[name].owner(place.line, place.column) if name else None
+def file_of(files, place):
+    return next((name for name in files if place.file and place.file.name.endswith("/" + name)), None)
 
 
 def refused(tree, headers, files, options=()):
@@ -434,9 +433,10 @@ def refused(tree, headers, files, options=()):
     for each in parse(tree, headers, options).diagnostics:
         if each.severity < cindex.Diagnostic.Error:
             continue
-        # Where a template cannot be instantiated, notes say what uses it.
-        places = [each.location, *(note.location for note in each.children)]
-        owner = next(filter(None, (owner_at(files, place) for place in places)), None)
+        # Where a template of another file cannot be instantiated, notes say what uses it.
+        places = [each.location] if file_of(files, each.location) else [note.location for note in each.children]
+        owners = (files[file_of(files, at)].owner(at.line, at.column) for at in places if file_of(files, at))
+        owner = next(filter(None, owners), None)
         if owner is None:
             other.append(str(each))
         else:
