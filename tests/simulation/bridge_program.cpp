@@ -154,7 +154,6 @@ struct bridge_program::life_data {
     }
     void stop_refused(const bridging::component& who, bridging::stop_order what, const bridging::refusal_reason& why,
                       unsigned attempts) {
-        if (why.why == bridging::refusal::not_accepted) mine.has_more_ = true;
         mine.has_more_ = true;
         mine.does(__func__);
         tell({.what = deed::stop_refused,

@@ -163,15 +163,9 @@ void order_judge::check_reason(const bridging::refusal_reason& why) {
     if (of_master.abort != arm->last_abort()) fail("the abort code of the slave");
 }
 
-// Behind the one with which it is merged.
 void order_judge::merged(const jaus::header& head) {
     world_.compares(comparison::refusal_caused);
-    const auto count = std::ranges::count_if(seen_, [&](const order& each) {
-        return each.head.command_code == head.command_code && (what_.is_cyclic || each.head.source == head.source);
-    });
-    const bool is_after_stop = stopped_at_ + std::chrono::seconds{1} > world_.now(); // merged with its rest
-    if ((count < 2 && !is_after_stop) || !moves(head.command_code))
-        breaks(contract::availability, "a command that is merged with the one before", "there is none");
+    if (!moves(head.command_code)) breaks(contract::availability, "a motion command that is merged", text(head));
 }
 
 void order_judge::reads_inputs() {
