@@ -36,7 +36,7 @@ class order_judge {
     void sends(bytes message);
 
     // What the bridge's observer hears.
-    void refused(const jaus::header& head, const bridging::refusal_reason& why);
+    void refused(const jaus::header& head, const bridging::refusal_reason& reason);
     void merged(const jaus::header& head);
     void reads_inputs();
     void stop_required(bridging::stop_order what, bridging::stop_cause why);

@@ -26,7 +26,7 @@ struct judged_slave {
 class slave_judge {
   public:
     slave_judge(world& w, const model& m, const ring& wire, const process& program, judged_slave what)
-        : world_{w}, model_{m}, wire_{wire}, program_{program}, what_{std::move(what)} {}
+        : world_{w}, model_{m}, wire_{wire}, program_{program}, what_{what} {}
 
     void starts();
 
