@@ -499,7 +499,7 @@ void bridge_program::drive_idle(bool with_nodes) {
     if (!was_settled) return send_frames();
     if (found == nullptr && with_nodes) found = drive_nodes();
     if (found == nullptr) return;
-    world_.breaks({.point = contract::s6,
+    world_.breaks({.point = contract::told,
                    .who = number(),
                    .expected = "nothing to do in a turn in which nothing is due",
                    .found = found});
@@ -541,7 +541,7 @@ void bridge_program::look_at_job(bytes frame) {
         const bool is_known = life() > 2 && (windows_ >> 32U & 0xFFFFU) == window &&
                               (windows_ >> 16U & 0xFFFFU) == window; // two may be equal
         if (is_known)
-            world_.breaks({.point = contract::s7,
+            world_.breaks({.point = contract::told,
                            .who = number(),
                            .expected = "a process image elsewhere than in the lives before",
                            .found = "at " + std::to_string(window) + " again"});
@@ -553,7 +553,7 @@ void bridge_program::look_at_job(bytes frame) {
     const bool keeps_alive = data_->bus->keeps_alive();
     world_.compares(comparison::keep_alive_told);
     if (keeps_alive && (!is_idle || carries))
-        world_.breaks({.point = contract::availability,
+        world_.breaks({.point = contract::told,
                        .who = number(),
                        .expected = "frames that only keep slaves from stopping",
                        .found = "a job or a message that goes on"});
@@ -579,7 +579,11 @@ void bridge_program::look_at_cycle(bytes frame) {
     const time took = world_.now() - last, off = took - settings_.period;
     if (std::max(off, -off) > settings_.period / 4) fail("process data each period", took);
     world_.compares(comparison::others_called);
-    if (cycles != 1) fail("one cycle of others in each period", time{std::chrono::microseconds{cycles}});
+    if (cycles != 1)
+        world_.breaks({.point = contract::told,
+                       .who = number(),
+                       .expected = "one cycle of others in each period",
+                       .found = std::to_string(cycles)});
     const auto& times = data_->bus->times();
     if (times.late > milliseconds{1} || times.late < time{}) fail("a cycle that begins in time", times.late);
     if (times.round_trip > milliseconds{2} || times.round_trip < std::chrono::microseconds{30})

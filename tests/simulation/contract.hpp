@@ -11,10 +11,10 @@
 namespace simulation {
 
 /// docs/safety.md has their words.
-enum class contract : std::uint8_t { s1, s2, s3, s4, s5, s6, s7, s8, memory, limits, availability };
+enum class contract : std::uint8_t { s1, s2, s3, s4, s5, s6, s7, s8, memory, limits, availability, told };
 
 [[nodiscard]] constexpr std::string_view name_of(contract point) noexcept {
-    constexpr std::array<std::string_view, 11> names{
+    constexpr std::array<std::string_view, 12> names{
         "S1: what is acknowledged was executed, once",
         "S2: stop orders come first, and are repeated until they are confirmed",
         "S3: at rest in time when who commands is lost",
@@ -25,7 +25,8 @@ enum class contract : std::uint8_t { s1, s2, s3, s4, s5, s6, s7, s8, memory, lim
         "S8: what cannot be known is not running",
         "memory does not grow",
         "motors keep the limits of their joints, and are not switched off while they turn",
-        "availability: what works is neither given up nor reset"};
+        "availability: what works is neither given up nor reset",
+        "what an observer is told is so, and in its time"};
     return names[static_cast<std::size_t>(point)];
 }
 

@@ -83,7 +83,7 @@ void order_judge::sends(bytes message) {
     if (is_from_image) {
         world_.compares(comparison::image_told);
         if (!std::exchange(has_read_inputs_, false))
-            breaks(contract::availability, "a report from inputs that are told", "they are not");
+            breaks(contract::told, "a report from inputs that are told", "they are not");
     }
     const auto found = std::ranges::find_if(open_, is_of);
     if (found != open_.end()) open_.erase(found);
@@ -142,7 +142,7 @@ void order_judge::check_reason(const bridging::refusal_reason& why) {
     const bool has_error = of_master.code != ethercat::master_errc::ok;
     const bool is_ok = why.error == jauscat::translate::errc::ok;
     const auto fail = [&](const char* expected) {
-        breaks(contract::availability, expected,
+        breaks(contract::told, expected,
                "cause " + std::to_string(static_cast<unsigned>(why.why)) + ", error " +
                    std::to_string(static_cast<unsigned>(why.error)) + ", of the master " +
                    std::string{ethercat::describe(of_master)});
@@ -165,11 +165,11 @@ void order_judge::check_reason(const bridging::refusal_reason& why) {
 
 void order_judge::merged(const jaus::header& head) {
     world_.compares(comparison::refusal_caused);
-    if (!moves(head.command_code)) breaks(contract::availability, "a motion command that is merged", text(head));
+    if (!moves(head.command_code)) breaks(contract::told, "a motion command that is merged", text(head));
 }
 
 void order_judge::reads_inputs() {
-    if (has_read_inputs_) breaks(contract::availability, "a report from inputs that are told", "there is none");
+    if (has_read_inputs_) breaks(contract::told, "a report from inputs that are told", "there is none");
     has_read_inputs_ = true;
 }
 
@@ -177,8 +177,7 @@ void order_judge::reads_inputs() {
 void order_judge::faulted(const bridging::drive_fault& what) {
     world_.compares(comparison::refusal_detailed);
     const auto fail = [&](const char* expected) {
-        breaks(contract::availability, expected,
-               "slave " + std::to_string(what.slave) + ", code " + std::to_string(what.code));
+        breaks(contract::told, expected, "slave " + std::to_string(what.slave) + ", code " + std::to_string(what.code));
     };
     if (what_.axes == 0) fail("a fault of a drive");
     if (what.slave >= what_.slaves.size()) return fail("a slave of the component");
@@ -189,7 +188,7 @@ void order_judge::faulted(const bridging::drive_fault& what) {
 }
 
 void order_judge::fault_ended() {
-    if (!is_faulted_) breaks(contract::availability, "the end of a fault that was told", "there was none");
+    if (!is_faulted_) breaks(contract::told, "the end of a fault that was told", "there was none");
     is_faulted_ = false;
     fault_.reset();
 }
@@ -237,9 +236,9 @@ bool order_judge::has_cause(bridging::stop_cause why) const {
 void order_judge::stop_required(bridging::stop_order what, bridging::stop_cause why) {
     const bool is_rest = what == bridging::stop_order::rest;
     if (what == bridging::stop_order::clear_emergency)
-        breaks(contract::availability, "rest or an emergency as a stop order", "the end of an emergency");
+        breaks(contract::told, "rest or an emergency as a stop order", "the end of an emergency");
     if (!is_rest && model_.actuator(what_.account).state != jaus::primary_status_code::emergency)
-        breaks(contract::availability, "an emergency is required in that state alone", "it is required");
+        breaks(contract::told, "an emergency is required in that state alone", "it is required");
     needs_emergency_ = needs_emergency_ || !is_rest;
     attempts_ = 0;
     repeat_from_.reset();
@@ -260,7 +259,7 @@ void order_judge::stop_refused(bridging::stop_order what, const bridging::refusa
     check_reason(why);
     world_.compares(comparison::stop_repeated);
     const auto fail = [&](const char* expected) {
-        breaks(contract::s2, expected,
+        breaks(contract::told, expected,
                "order " + std::to_string(static_cast<unsigned>(what)) + " at attempt " + std::to_string(attempts));
     };
     if (attempts != attempts_ + 1 && attempts != 1) fail("attempts that are counted, or begin again");
@@ -293,7 +292,7 @@ void order_judge::check_repeat() {
     constexpr time to_transfer = milliseconds{60};
     if (world_.now() - std::max(*repeat_from_, hindered) <= to_transfer) return;
     world_.compares(comparison::stop_repeated);
-    breaks(contract::s2, "a stop order that is refused is repeated in time", "it is not");
+    breaks(contract::told, "a stop order that is refused is repeated in time", "it is not");
 }
 
 void order_judge::settled() {

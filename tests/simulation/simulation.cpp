@@ -300,6 +300,7 @@ std::optional<system_kind> system_of(const std::string& name) {
 
 run_result run(const settings& what) {
     world w{what.seed, what.faults};
+    w.ignores_told = what.ignores_told;
     run_result result{};
     auto kind = what.system;
     if (kind == system_kind::any) kind = static_cast<system_kind>(1 + w.stream(2000).below(system_count));

@@ -41,7 +41,7 @@ void slave_judge::starts() {
 void slave_judge::attempt_ends() {
     world_.compares(comparison::attempt_paused);
     if (program_.local() < next_try_)
-        breaks(contract::availability, "a pause between two attempts to bring a slave up",
+        breaks(contract::told, "a pause between two attempts to bring a slave up",
                "one that ends " + std::to_string((next_try_ - program_.local()) / milliseconds{1}) + " ms too early");
 }
 
@@ -228,7 +228,7 @@ void slave_judge::check() {
         const bool is_left_alone = is_quiet_for(world_.now() - *returns_from_ + milliseconds{1});
         if (is_left_alone) {
             world_.compares(comparison::attempt_paused);
-            breaks(contract::availability, "a slave that is lost and there again is brought up at once", "it is not");
+            breaks(contract::told, "a slave that is lost and there again is brought up at once", "it is not");
         }
         if (world_.now() - *returns_from_ > seconds{2}) returns_from_.reset();
     }
@@ -237,13 +237,13 @@ void slave_judge::check() {
     for (const auto& one : slave().emergencies) {
         const bool is_due = one.at > up_at_ + seconds{1} && is_quiet_for(world_.now() - one.at + seconds{1});
         if (one.number <= last_emergency_ || !is_due || world_.now() - one.at < to_tell) continue;
-        breaks(contract::s6, "an emergency of a slave to which nothing else happens is told",
+        breaks(contract::told, "an emergency of a slave to which nothing else happens is told",
                "it is not, after " + std::to_string((world_.now() - one.at) / milliseconds{1}) + " ms");
     }
 }
 
 void slave_judge::says(bool is_right, const char* expected, const std::string& found) {
-    if (!is_right) breaks(contract::availability, expected, found);
+    if (!is_right) breaks(contract::told, expected, found);
 }
 
 void slave_judge::breaks(contract point, std::string expected, std::string found) {

@@ -27,6 +27,8 @@ class world {
     void in(time pause, actor& who, std::uint8_t what, std::uint32_t argument = 0) {
         agenda_.put(now_ + pause, who, what, argument);
     }
+    /// Breaches of contract::told do not count.
+    bool ignores_told{};
     /// What is checked after each step.
     std::function<void()> check{};
     /// Until then, or until the contract is broken.
@@ -58,7 +60,7 @@ class world {
     }
     /// Of many breaches the first counts.
     void breaks(violation broken) {
-        if (broken_) return;
+        if (broken_ || (ignores_told && broken.point == contract::told)) return;
         broken.at = now_;
         broken_ = std::move(broken);
     }
