@@ -1,4 +1,5 @@
 """Ports for programs that must know each other's before they have them."""
+import errno
 import random
 import socket
 
@@ -20,8 +21,10 @@ def free_ports(count, kind=socket.SOCK_DGRAM):
             mark.bind(("127.0.0.1", port))
             with socket.socket(socket.AF_INET, kind) as one:
                 one.bind(("127.0.0.1", port))
-        except OSError:  # taken
+        except OSError as error:
             mark.close()
+            if error.errno != errno.EADDRINUSE:
+                raise
             continue
         marks.append(mark)
         ports.append(port)

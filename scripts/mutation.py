@@ -423,8 +423,14 @@ class rendered:
         return self.pieces[position][1]
 
 
-def file_of(files, place):
-    return next((name for name in files if place.file and place.file.name.endswith("/" + name)), None)
+def file_of(files, path):
+    """The one of these names that a compiler writes as this path."""
+    return next((name for name in files if f"/{path}".endswith("/" + name)), None)
+
+
+def owner_at(files, path, line, column):
+    name = file_of(files, path)
+    return files[name].owner(line, column) if name else None
 
 
 def refused(tree, headers, files, options=()):
@@ -434,9 +440,8 @@ def refused(tree, headers, files, options=()):
         if each.severity < cindex.Diagnostic.Error:
             continue
         # Where a template of another file cannot be instantiated, notes say what uses it.
-        places = [each.location] if file_of(files, each.location) else [note.location for note in each.children]
-        owners = (files[file_of(files, at)].owner(at.line, at.column) for at in places if file_of(files, at))
-        owner = next(filter(None, owners), None)
+        places = [each.location] if file_of(files, each.location.file) else [note.location for note in each.children]
+        owner = next(filter(None, (owner_at(files, at.file, at.line, at.column) for at in places)), None)
         if owner is None:
             other.append(str(each))
         else:

@@ -57,6 +57,15 @@ template <class Enum> bool are_described(Enum last) {
 
 constexpr axis_options slow{.max_velocity = 1000, .acceleration = 10'000, .deceleration = 10'000, .standstill = 0};
 
+/// It turns at 500/s.
+rig turning() {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    REQUIRE(r.mine.run_at(500));
+    r.follow(60);
+    return r;
+}
+
 } // namespace
 
 TEST_CASE("every error and state of an axis, and all that it waits for, has a text of its own") {
@@ -230,10 +239,7 @@ TEST_CASE("a torque is limited, follows its slope, and does not push out of the 
 }
 
 TEST_CASE("disable brings the axis to rest by ramp before it takes the torque away") {
-    rig r{slow};
-    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
-    REQUIRE(r.mine.run_at(500));
-    r.follow(60);
+    rig r = turning();
     r.mine.disable();
     r.follow(20);
     CHECK(r.mine.state() == axis_state::stopping);
@@ -275,10 +281,7 @@ TEST_CASE("disable does not enable the drive again while its status is late") {
 }
 
 TEST_CASE("a ramp that does not bring the axis to rest in time ends in a quick stop") {
-    rig r{slow};
-    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
-    REQUIRE(r.mine.run_at(500));
-    r.follow(60);
+    rig r = turning();
     r.mine.disable();
     r.cycle(2010); // the drive goes on turning
     CHECK(r.drive.state == state::quick_stop_active);
@@ -290,10 +293,7 @@ TEST_CASE("a ramp that does not bring the axis to rest in time ends in a quick s
 }
 
 TEST_CASE("quick stop goes out in the same cycle") {
-    rig r{slow};
-    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
-    REQUIRE(r.mine.run_at(500));
-    r.follow(60);
+    rig r = turning();
     r.mine.quick_stop();
     r.cycle();
     CHECK(r.mine.targets().controlword == 0x02);
@@ -310,10 +310,7 @@ TEST_CASE("quick stop goes out in the same cycle") {
 }
 
 TEST_CASE("a quick stop that does not bring the axis to rest in time fails it, and goes on") {
-    rig r{slow};
-    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
-    REQUIRE(r.mine.run_at(500));
-    r.follow(60);
+    rig r = turning();
     r.mine.quick_stop();
     r.cycle(2000); // the drive goes on turning
     CHECK(r.mine.error().code == axis_errc::ok);
@@ -400,10 +397,7 @@ TEST_CASE("a drive that does not obey the quick stop fails the axis") {
 }
 
 TEST_CASE("halt brings the axis to rest and keeps it enabled") {
-    rig r{slow};
-    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
-    REQUIRE(r.mine.run_at(500));
-    r.follow(60);
+    rig r = turning();
     r.mine.halt(true);
     r.follow(60);
     CHECK(r.mine.targets().velocity == 0);
@@ -441,10 +435,7 @@ TEST_CASE("halt sets its bit in profile modes") {
 }
 
 TEST_CASE("a fault is reported with its code and reset by the edge of its bit") {
-    rig r{slow};
-    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
-    REQUIRE(r.mine.run_at(500));
-    r.follow(60);
+    rig r = turning();
     r.drive.fail(error_codes::over_current);
     r.cycle();
     CHECK(r.mine.error() == axis_error{axis_errc::drive_fault, state::fault, error_codes::over_current});
@@ -488,10 +479,7 @@ TEST_CASE("a drive that leaves operation enabled by itself fails the axis") {
 }
 
 TEST_CASE("lost inputs fail the axis, and nothing moves when they come back") {
-    rig r{slow};
-    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
-    REQUIRE(r.mine.run_at(500));
-    r.follow(60);
+    rig r = turning();
     const auto& targets = r.mine.on_lost();
     CHECK(targets.controlword == 0x02);
     CHECK(targets.velocity == 0);
@@ -508,10 +496,7 @@ TEST_CASE("lost inputs fail the axis, and nothing moves when they come back") {
 }
 
 TEST_CASE("a mode is switched as fast as the axis moves, and waits for the drive's display") {
-    rig r{slow};
-    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
-    REQUIRE(r.mine.run_at(500));
-    r.follow(60);
+    rig r = turning();
     const auto at = r.drive.feedback.position = 7000;
     r.mine.set_mode(mode::cyclic_synchronous_position);
     r.cycle();

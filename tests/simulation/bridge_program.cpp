@@ -521,38 +521,39 @@ const char* bridge_program::drive_nodes() {
 void bridge_program::send_frames() {
     while (const auto size = data_->bus->next_frame(frame_, now())) {
         look_at_cycle(bytes{frame_}.first(size));
-        look_at_job(bytes{frame_}.first(size));
+        look_at_image(bytes{frame_}.first(size));
+        look_at_job();
         wire_.send(bytes{frame_}.first(size));
     }
     if (data_->ends && data_->bus->at_rest() && world_.now() - data_->ends_since > milliseconds{50})
         world_.at(world_.now(), *this, to_kill, life());
 }
 
-// Where all that goes on keeps slaves from stopping, no job does. A life has its process image elsewhere than the one
-// before.
-void bridge_program::look_at_job(bytes frame) {
+// A life has its process image elsewhere than the ones before, of which one may have it there by chance.
+void bridge_program::look_at_image(bytes frame) {
     constexpr std::size_t command_at = 16, window_at = 20;
     const auto command = std::to_integer<unsigned>(frame[command_at]);
     const bool is_logical = command >= 10 && command <= 12;
-    if (is_logical && !std::exchange(has_window_, true)) {
-        const std::uint32_t window =
-            std::to_integer<unsigned>(frame[window_at]) | std::to_integer<unsigned>(frame[window_at + 1]) << 8U;
-        windows_ = windows_ << 16U | window;
-        const bool is_known = life() > 2 && (windows_ >> 32U & 0xFFFFU) == window &&
-                              (windows_ >> 16U & 0xFFFFU) == window; // two may be equal
-        if (is_known)
-            world_.breaks({.point = contract::told,
-                           .who = number(),
-                           .expected = "a process image elsewhere than in the lives before",
-                           .found = "at " + std::to_string(window) + " again"});
-    }
+    if (!is_logical || std::exchange(has_window_, true)) return;
+    const std::uint32_t window =
+        std::to_integer<unsigned>(frame[window_at]) | std::to_integer<unsigned>(frame[window_at + 1]) << 8U;
+    windows_ = windows_ << 16U | window;
+    const bool is_known = life() > 2 && (windows_ >> 32U & 0xFFFFU) == window && (windows_ >> 16U & 0xFFFFU) == window;
+    if (is_known)
+        world_.breaks({.point = contract::told,
+                       .who = number(),
+                       .expected = "a process image elsewhere than in the lives before",
+                       .found = "at " + std::to_string(window) + " again"});
+}
+
+// Where all that goes on keeps slaves from stopping, no job does.
+void bridge_program::look_at_job() {
     const bool is_idle = data_->bus->master().idle();
     const auto is_carrying = [](const bridging::slave_front& each) { return each.carried().has_value(); };
     const bool carries = std::ranges::any_of(
         data_->units, [&](const unit& one) { return std::ranges::any_of(one.fronts, is_carrying); });
-    const bool keeps_alive = data_->bus->keeps_alive();
     world_.compares(comparison::keep_alive_told);
-    if (keeps_alive && (!is_idle || carries))
+    if (data_->bus->keeps_alive() && (!is_idle || carries))
         world_.breaks({.point = contract::told,
                        .who = number(),
                        .expected = "frames that only keep slaves from stopping",

@@ -84,7 +84,8 @@ class bridge_program final : public process, public frame_user {
     void send_frames();
     void put(bytes message);
     void look_at_cycle(bytes frame);
-    void look_at_job(bytes frame);
+    void look_at_image(bytes frame);
+    void look_at_job();
     /// Turns in which nothing is due.
     void drive_idle(bool with_nodes);
     void look_at_idle_turn();
