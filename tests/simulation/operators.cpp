@@ -143,7 +143,7 @@ void operator_program::query_motion() {
 }
 
 void operator_program::send_large() {
-    constexpr std::uint32_t one_in = 10;
+    constexpr std::uint32_t one_in = 4;
     const bool is_long = sends_long_data_ && random_.below(one_in) == 0;
     const std::size_t packets = is_long ? 257 + random_.below(16) : 1;
     large_.resize(packets * jaus::max_body_size + 1 + random_.below(is_long ? jaus::max_body_size : 20'000));
