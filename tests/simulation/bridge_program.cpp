@@ -1,6 +1,7 @@
 #include "simulation/bridge_program.hpp"
 
 #include "simulation/joint_parts.hpp"
+#include <jauscat/text/master_error_text.hpp>
 
 namespace simulation {
 namespace {
@@ -51,6 +52,10 @@ const char* text_of(bridging::loss why) {
     case no_process_data: return "it takes no part in the process data";
     }
     return "of an unknown cause";
+}
+
+std::string reason_text(const bridging::refusal_reason& why) {
+    return std::string{text_of(why.why)} + ": " + jauscat::text::explain(why.of_master);
 }
 
 jaus::address unit_id(const place& at) {
@@ -155,7 +160,7 @@ struct bridge_program::life_data {
     void stop_refused(const bridging::component& who, bridging::stop_order what, const bridging::refusal_reason& why,
                       unsigned attempts) {
         mine.has_more_ = true;
-        mine.does(__func__);
+        mine.does(__func__, reason_text(why));
         tell({.what = deed::stop_refused,
               .who = number(who),
               .number = static_cast<std::uint16_t>(what),
@@ -169,7 +174,7 @@ struct bridge_program::life_data {
         orders(who).settled();
     }
     void faulted(const bridging::component& who, const bridging::drive_fault& what) {
-        mine.does(__func__);
+        mine.does(__func__, std::to_string(what.slave) + ": " + std::to_string(what.code) + std::string{what.reason});
         orders(who).faulted(what);
     }
     void fault_ended(const bridging::component& who) {
@@ -178,13 +183,13 @@ struct bridge_program::life_data {
     }
     void bring_up_failed(const bridging::slave_front& slave, const ethercat::master_error& why) {
         mine.has_more_ = true;
-        mine.does(__func__);
+        mine.does(__func__, jauscat::text::explain(why));
         orders(slave).bring_up_failed();
         judge(slave).failed(why, bus->bring_up_error(slave));
     }
     void slave_up(const bridging::slave_front& slave, const ethercat::slave_record& record, bool ready) {
         mine.has_more_ = true;
-        mine.does(__func__);
+        mine.does(__func__, ready ? "ready" : "not ready");
         slaves_changed_at = mine.world_.now();
         judge(slave).up(record, ready, bus->bring_up_error(slave));
         if (!ready) return;
@@ -196,7 +201,7 @@ struct bridge_program::life_data {
         judge(slave).emergency(what);
     }
     void clocks_agree(const bridging::slave_front& slave, ethercat::clock_agreement how, std::uint32_t difference) {
-        mine.does(__func__);
+        mine.does(__func__, std::to_string(static_cast<unsigned>(how)) + ": " + std::to_string(difference));
         judge(slave).agrees(how, difference);
     }
     void translated(const bridging::slave_front& slave, bytes packet) {
@@ -217,13 +222,13 @@ struct bridge_program::life_data {
         orders(slave).reads_inputs();
     }
     void no_keep_alive(const bridging::slave_front& slave, const bridging::refusal_reason& why) {
-        mine.does(__func__);
+        mine.does(__func__, reason_text(why));
         orders(slave).no_keep_alive();
         judge(slave).no_keep_alive(why);
     }
     void slave_lost(const bridging::slave_front& slave, bridging::loss what, const ethercat::master_error& why) {
         mine.has_more_ = true;
-        mine.does(__func__);
+        mine.does(__func__, jauscat::text::explain(why));
         judge(slave).lost(what, why, bus->bring_up_error(slave));
         tell({.what = deed::loses_slave, .who = mine.number(), .whom = number(slave), .why = text_of(what)});
         slaves_changed_at = mine.world_.now();

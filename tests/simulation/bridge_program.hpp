@@ -90,11 +90,13 @@ class bridge_program final : public process, public frame_user {
     void drive_idle(bool with_nodes);
     void look_at_idle_turn();
     void has_work() { has_more_ = is_woken_ = true; }
-    /// What they have done; a literal, nullptr: nothing.
-    void does(const char* what) {
+    /// A literal, and what it is about.
+    void does(const char* what, std::string_view about = {}) {
         ++deeds_;
         last_deed_ = what;
+        world_.sees(what, about);
     }
+    /// What they have done; a literal, nullptr: nothing.
     [[nodiscard]] const char* drive_nodes();
     void look_after(unit& one);
 

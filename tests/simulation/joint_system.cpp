@@ -149,6 +149,7 @@ class joint_system final : public actor {
         std::array<std::byte, ethercat::max_frame_size> buffer{};
         while (const auto size = bus_.next_frame(buffer, now())) {
             const auto frame = std::span{buffer}.first(size);
+            world_.sees("a frame", frame);
             slave_.process(frame);
             drive_.work(slave_, now());
             look();
@@ -361,6 +362,7 @@ class joint_system final : public actor {
 
     // An acknowledged stop: the motor stands still.
     void hears(bytes message) {
+        world_.sees("a message", message);
         const auto head = jaus::split(message).header;
         if (!jaus::is_acknowledgement(head)) return;
         const bool is_acknowledged = head.ack_nak == jaus::ack_nak::ack;

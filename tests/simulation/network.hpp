@@ -56,6 +56,7 @@ class network final : public actor {
     void send(std::uint8_t from, std::uint8_t to, std::span<const std::byte> content, std::uint32_t message) {
         if (content.size() > sizeof datagram::bytes) return;
         tell(deed::sends, from, to, content, message);
+        world_.sees("a datagram", content);
         if (is_cut(from, to) || strikes(fault::datagram_lost, 10'000)) {
             disturbed_[from * users_.size() + to] = world_.now();
             return tell(deed::loses, from, to, content, message);

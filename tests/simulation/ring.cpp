@@ -93,6 +93,7 @@ std::ptrdiff_t ring::frames_disturbed_since(time then) const noexcept {
 // ---------------------------------------------------------------------------------------------------- frames
 
 void ring::send(bytes frame) {
+    world_.sees("a frame", frame);
     const bool is_lost = world_.faults.strikes(fault::frame_lost, 3'000);
     const bool before = is_lost && world_.faults.random(fault::frame_lost).below(2) == 0;
     if (is_lost) tell(0, ring_deed::frame_lost, before ? 0 : 1);

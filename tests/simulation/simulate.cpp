@@ -1,4 +1,5 @@
 // The program of the simulation: many seeds, or one with its story.
+#include "simulation/recorded_runs.hpp"
 #include "simulation/simulation.hpp"
 
 #include <boost/program_options.hpp>
@@ -8,6 +9,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
 #include <iostream>
 #include <mutex>
 #include <random>
@@ -34,6 +36,7 @@ Examples:
   simulate --hours 10 --system drives  the same of rings of drives alone
   simulate --seed 4711                 one seed, again
   simulate --seed 4711 --whole         the same with all that happened in the end
+  simulate --seed 4711 --trace         the same with all that happens and is sent
   simulate --hours 1 --without process-frozen --without clock-leap
 )";
 
@@ -189,6 +192,19 @@ bool run_one(const options& chosen) {
     return false;
 }
 
+int renew(const std::string& path, unsigned jobs) {
+    const auto were = read_recorded_runs(path), are = renewed(were, jobs);
+    std::ofstream file{path};
+    unsigned changed = 0;
+    for (std::size_t i = 0; i != are.size(); ++i) {
+        file << line_of(are[i]);
+        if (are[i].digest != were[i].digest) ++changed;
+    }
+    if (!file.flush()) throw std::runtime_error{path + ": cannot be written"};
+    std::printf("%s: %zu runs, of which %u have another digest than before\n", path.c_str(), are.size(), changed);
+    return 0;
+}
+
 int start(int argc, char** argv) {
     po::options_description known;
     // clang-format off
@@ -205,6 +221,8 @@ int start(int argc, char** argv) {
         ("only", po::value<std::vector<std::string>>(), "only this kind of fault; may be given several times")
         ("without", po::value<std::vector<std::string>>(), "without this kind of fault")
         ("ignore-told", po::bool_switch(), "go on where an observer is not told what is so, or not in time")
+        ("trace", po::bool_switch(), "with --seed: all that happens and is sent, a line for each")
+        ("renew", po::value<std::string>(), "write the digests of the runs in this file, see recorded_runs.txt")
         ("whole", po::bool_switch(), "the whole end of the story, not only what matters")
         ("no-shrink", po::bool_switch(), "do not look for fewer faults and actors that break the contract too")
         ("keep-going", po::bool_switch(), "go on after a violation");
@@ -235,6 +253,8 @@ int start(int argc, char** argv) {
         throw std::runtime_error{
             "--system is any, jaus, mailbox, cyclic, mixed, drives, robot, clocks, nodes or joints"};
     chosen.each.system = *system;
+    if (values.count("renew") != 0) return renew(values["renew"].as<std::string>(), chosen.jobs);
+    if (values["trace"].as<bool>()) chosen.each.trace = &std::cout;
     if (values.count("seed") != 0) {
         chosen.first_seed = values["seed"].as<std::uint64_t>();
         return run_one(chosen) ? 0 : 1;

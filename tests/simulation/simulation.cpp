@@ -301,6 +301,7 @@ std::optional<system_kind> system_of(const std::string& name) {
 run_result run(const settings& what) {
     world w{what.seed, what.faults};
     w.ignores_told = what.ignores_told;
+    w.trace = what.trace;
     run_result result{};
     auto kind = what.system;
     if (kind == system_kind::any) kind = static_cast<system_kind>(1 + w.stream(2000).below(system_count));
@@ -394,11 +395,7 @@ std::string story_text(const settings& what, const run_result& result, bool whol
     std::ostringstream text;
     text << name_of(v.point) << "\n  seed      " << what.seed << ", at " << result.names[v.who] << "\n  expected  "
          << v.expected << "\n  found     " << v.found << "\n";
-    for (const auto& one : whole ? result.story : what_matters(result)) {
-        std::array<char, 32> at{};
-        std::snprintf(at.data(), at.size(), "%12.4f s  ", std::chrono::duration<double>(one.at).count());
-        text << at.data() << text_of(one, result.names) << '\n';
-    }
+    for (const auto& one : whole ? result.story : what_matters(result)) text << line_of(one, result.names) << '\n';
     return text.str();
 }
 

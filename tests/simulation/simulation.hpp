@@ -6,6 +6,7 @@
 #include "simulation/story.hpp"
 
 #include <optional>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,7 @@ struct settings {
     fault_set faults{every_fault};
     std::uint32_t absent{}; ///< actors that are left out, by the bit of their number
     bool ignores_told{};    ///< breaches of contract::told do not count
+    std::ostream* trace{};  ///< gets a line for all that happens and is sent
     friend bool operator==(const settings&, const settings&) = default;
 };
 

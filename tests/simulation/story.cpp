@@ -26,6 +26,11 @@ std::string connection_text(std::uint32_t state) {
                                "is suspended", "is refused",   "is unanswered", "ends"};
     return state < names.size() ? names[state] : "is in state " + std::to_string(state);
 }
+std::string time_text(time at) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%12.4f s  ", std::chrono::duration<double>(at).count());
+    return text.data();
+}
 std::string address_text(std::uint32_t address) {
     return std::to_string(address >> 24U) + '.' + std::to_string(address >> 16U & 0xFFU) + '.' +
            std::to_string(address >> 8U & 0xFFU) + '.' + std::to_string(address & 0xFFU);
@@ -109,6 +114,21 @@ std::string text_of(const happening& one, const std::vector<std::string>& names)
     case deed::ring: return ring_text(one, names);
     }
     return "something happens";
+}
+
+std::string line_of(const happening& one, const std::vector<std::string>& names) {
+    return time_text(one.at) + text_of(one, names);
+}
+
+std::string line_of(time at, const char* what, std::span<const std::byte> content) {
+    std::string line = time_text(at) + what;
+    line += ':';
+    for (const auto each : content) {
+        std::array<char, 4> digits{};
+        std::snprintf(digits.data(), digits.size(), " %02x", std::to_integer<unsigned>(each));
+        line += digits.data();
+    }
+    return line;
 }
 
 } // namespace simulation

@@ -3,8 +3,12 @@
 
 #include "simulation/faults.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <cstring>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace simulation {
@@ -65,7 +69,7 @@ struct happening {
     std::uint16_t number{};
     std::uint32_t message{}; ///< the world's number for it, the same for all its copies; 0: has none
     std::uint32_t value{};
-    const char* why{}; ///< a literal, of the cause; not in the digest
+    const char* why{}; ///< a literal, of the cause
 };
 
 /// One line without the time.
@@ -73,7 +77,11 @@ std::string text_of(const happening& one, const std::vector<std::string>& names)
 /// The same for `deed::ring`.
 std::string ring_text(const happening& one, const std::vector<std::string>& names);
 
-/// The last happenings, and a digest of all.
+/// The same with the time.
+std::string line_of(const happening& one, const std::vector<std::string>& names);
+std::string line_of(time at, const char* what, std::span<const std::byte> content);
+
+/// The last happenings, and a digest of all, and of all that was sent.
 class story {
   public:
     void tell(const happening& one) noexcept {
@@ -82,6 +90,12 @@ class story {
         mix(std::uint64_t{static_cast<std::uint8_t>(one.what)} << 48U | std::uint64_t{one.who} << 40U |
             std::uint64_t{one.whom} << 32U | std::uint64_t{one.code} << 16U | one.number);
         mix(std::uint64_t{one.message} << 32U | one.value);
+        if (one.why != nullptr) mix(std::as_bytes(std::span{std::string_view{one.why}}));
+    }
+    void mix(time at, std::string_view what, std::span<const std::byte> content) noexcept {
+        mix(static_cast<std::uint64_t>(at.count()));
+        mix(std::as_bytes(std::span{what}));
+        mix(content);
     }
     [[nodiscard]] std::uint64_t digest() const noexcept { return digest_; }
     [[nodiscard]] std::vector<happening> last() const {
@@ -95,6 +109,14 @@ class story {
     void mix(std::uint64_t value) noexcept {
         digest_ = (digest_ ^ value) * 0x9FB21C651E98DF25;
         digest_ ^= digest_ >> 32U;
+    }
+    void mix(std::span<const std::byte> content) noexcept {
+        mix(content.size());
+        for (; !content.empty(); content = content.subspan(std::min<std::size_t>(content.size(), 8))) {
+            std::uint64_t word{};
+            std::memcpy(&word, content.data(), std::min<std::size_t>(content.size(), 8));
+            mix(word);
+        }
     }
     std::vector<happening> last_ = std::vector<happening>(std::size_t{1} << 15U);
     std::uint64_t told_{};

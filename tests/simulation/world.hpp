@@ -8,7 +8,10 @@
 
 #include <functional>
 #include <optional>
+#include <ostream>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -29,6 +32,8 @@ class world {
     }
     /// Breaches of contract::told do not count.
     bool ignores_told{};
+    /// Gets a line for each happening.
+    std::ostream* trace{};
     /// What is checked after each step.
     std::function<void()> check{};
     /// Until then, or until the contract is broken.
@@ -54,10 +59,17 @@ class world {
     }
     [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
 
-    void tell(happening one) noexcept {
+    void tell(happening one) {
         one.at = now_;
         told.tell(one);
+        if (trace != nullptr) *trace << line_of(one, names_) << '\n';
     }
+    /// What somebody sends or tells, that is no happening: it counts in the digest.
+    void sees(const char* what, std::span<const std::byte> content = {}) {
+        told.mix(now_, what, content);
+        if (trace != nullptr) *trace << line_of(now_, what, content) << '\n';
+    }
+    void sees(const char* what, std::string_view text) { sees(what, std::as_bytes(std::span{text})); }
     /// Of many breaches the first counts.
     void breaks(violation broken) {
         if (broken_ || (ignores_told && broken.point == contract::told)) return;
