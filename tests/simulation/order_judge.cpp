@@ -44,6 +44,8 @@ void order_judge::starts() {
     repeat_from_.reset();
     fault_.reset();
     lost_at_ = not_accepted_at_ = time{-1};
+    is_handled_ = true;
+    has_replaced_ = false;
 }
 
 void order_judge::gets(const jaus::header& head, bytes body) {
@@ -52,10 +54,12 @@ void order_judge::gets(const jaus::header& head, bytes body) {
     current_ = {head, world_.now(), program_.local(), body.size(), is_well_formed, stops};
     std::erase_if(seen_, [&](const order& one) { return world_.now() - one.at > seconds{10}; });
     seen_.push_back(current_);
-    has_ended_ = false;
+    has_ended_ = is_handled_ = has_replaced_ = false;
 }
 
 void order_judge::has_handled(jaus::component_outcome what) {
+    if (std::exchange(has_replaced_, false)) breaks(contract::told, "a merge with " + text(current_.head), "none");
+    is_handled_ = true;
     if (what != jaus::component_outcome::deferred || has_ended_) return;
     // Copies of one message are acknowledged together.
     const bool is_known = std::ranges::find(open_, current_.head, &order::head) != open_.end();
@@ -106,10 +110,9 @@ const char* order_judge::cause_missing(const order& one, refusal why) const {
     case refusal::expired:
         return program_.local() - one.local_at < what_.order_timeout ? "it has not waited so long" : nullptr;
     case refusal::superseded: {
-        const auto count = std::ranges::count_if(seen_, [&](const order& each) {
-            return each.at >= one.at && each.head.source == head.source && each.head.command_code == head.command_code;
-        });
-        return what_.axes == 0 && !what_.is_cyclic && count < 2 ? "none has come after it" : nullptr;
+        const bool is_newer =
+            !is_handled_ && current_.head.source == head.source && current_.head.command_code == head.command_code;
+        return what_.axes == 0 && !what_.is_cyclic && !is_newer ? "none has come after it" : nullptr;
     }
     case refusal::stopped: {
         const time last = std::max(stopped_at_, changed_control_at_);
@@ -166,6 +169,8 @@ void order_judge::check_reason(const bridging::refusal_reason& why) {
 void order_judge::merged(const jaus::header& head) {
     world_.compares(comparison::refusal_caused);
     if (!moves(head.command_code)) breaks(contract::told, "a motion command that is merged", text(head));
+    if (!is_handled_ && !std::exchange(has_replaced_, false))
+        breaks(contract::told, "a merge with a command that waited", "none did");
 }
 
 void order_judge::reads_inputs() {
@@ -203,6 +208,7 @@ void order_judge::refused(const jaus::header& head, const bridging::refusal_reas
     };
     const auto found = std::ranges::find_if(open_, is_it);
     if (why == refusal::not_accepted) not_accepted_at_ = world_.now();
+    if (why == refusal::superseded && !is_handled_) has_replaced_ = true;
     const bool is_open = found != open_.end();
     if (!is_open && !is_it(current_)) return;
     const order one = is_open ? *found : current_;
@@ -274,7 +280,10 @@ void order_judge::stop_refused(bridging::stop_order what, const bridging::refusa
     const bool must_be_emergency = !needs_emergency_ && attempts > 3 && is_odd;
     if (has_turns && what == stop_order::rest && (!may_be_rest || must_be_emergency)) fail("Set Emergency in its turn");
     if (has_turns && what == stop_order::emergency && !may_be_emergency) fail("rest in its turn");
+    const bool is_again = attempts == attempts_ + 1 && what == refused_order_;
+    if (what == stop_order::clear_emergency && attempts > 3 && is_again) fail("the third attempt as the last");
     attempts_ = attempts;
+    refused_order_ = what;
     refused_at_ = program_.local();
     repeat_from_.reset();
     if (what != stop_order::clear_emergency) // which is given up

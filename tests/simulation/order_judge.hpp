@@ -96,10 +96,13 @@ class order_judge {
     std::optional<time> rested_at_{};
     bool ends_{};
     bool is_owed_{}, may_be_settled_{}, is_faulted_{}, takes_keep_alive_{};
-    bool has_ended_{}; ///< the message that is being handled
+    // Of the message that is being handled.
+    bool has_ended_{}, is_handled_{};
+    bool has_replaced_{}; ///< an older one that waited; that they are merged was not told yet
     // Stop orders that were refused, since the last one was required.
     bool needs_emergency_{};
     unsigned attempts_{};
+    bridging::stop_order refused_order_{};
     time refused_at_{};                 ///< of the program's clock
     std::optional<time> repeat_from_{}; ///< since when nothing hinders the next attempt
     std::optional<bridging::drive_fault> fault_{};
