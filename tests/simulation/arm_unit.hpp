@@ -22,18 +22,22 @@ namespace bridging = jauscat::bridging;
 /// What the bridge and the arms translate by.
 using bridge_table = jauscat::translation::seed_table;
 
+struct arm_settings {
+    std::uint32_t answer_delay{}; ///< see coe_options
+    bool knows_emergencies{true}; ///< has objects for Set Emergency and Clear Emergency
+};
+
 /// The arm and its slave. `moved` hears of the efforts in force whenever they are set; `emergency` of its own
 /// emergency.
 class arm_unit final : public device {
   public:
     static constexpr std::uint8_t subsystem = 2;
 
-    /// `answer_delay`: see coe_options.
-    arm_unit(std::uint32_t serial, std::function<void(command_number)> moved, std::uint32_t answer_delay)
-        : moved_{std::move(moved)}, answer_delay_{answer_delay}, direct_{objects_, serial, now_} {
+    arm_unit(std::uint32_t serial, std::function<void(command_number)> moved, const arm_settings& what)
+        : moved_{std::move(moved)}, what_{what}, direct_{objects_, serial, now_} {
         description_.serial = serial;
         slave_.emplace(description_, dictionary_,
-                       ethercat::coe_options{.transfer_memory = memory_, .answer_delay = answer_delay});
+                       ethercat::coe_options{.transfer_memory = memory_, .answer_delay = what.answer_delay});
         power_on({});
     }
 
@@ -75,12 +79,12 @@ class arm_unit final : public device {
     using delivery = bridging::delivery<bridge_table>;
 
     void tell_efforts();
-    void note_order(std::uint16_t index, std::uint8_t subindex, bytes data) noexcept;
+    void note_order(const jaus::header& head, bytes body) noexcept;
 
     static constexpr std::chrono::milliseconds command_timeout{450}; // that of robot_arm
 
     std::function<void(command_number)> moved_;
-    std::uint32_t answer_delay_;
+    arm_settings what_;
     std::optional<example::arm> arm_{};
     std::optional<application> application_{};
     std::optional<example::arm_process_data> process_data_{};

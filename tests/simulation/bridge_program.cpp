@@ -459,7 +459,12 @@ void bridge_program::frame_returns(bytes frame) {
     if (!running()) return; // its socket is full of them when it goes on; a frame that old is of no use
     const auto out = [this](bytes message) { put(message); };
     has_more_ = false;
-    data_->bus->on_frame(frame, now(), out);
+    const bool is_calm = model_.quiet_for(accounts_.front()) > std::chrono::seconds{1} && !application_;
+    const bool is_taken = data_->bus->on_frame(frame, now(), out);
+    if (is_calm) world_.compares(comparison::frame_taken);
+    if (is_calm && !is_taken)
+        world_.breaks(
+            {.point = contract::told, .who = number(), .expected = "its frame is taken", .found = "it is not"});
     send_frames();
     look_at_idle_turn();
     rearm();

@@ -101,8 +101,9 @@ enum class comparison : std::uint8_t {
     keep_alive_told,
     dictionary,
     creation,
+    frame_taken,
 };
-inline constexpr std::array<std::string_view, 68> comparison_names{"S1 acknowledged messages are executed",
+inline constexpr std::array<std::string_view, 69> comparison_names{"S1 acknowledged messages are executed",
                                                                    "S1 acknowledgements and refusals are asked for",
                                                                    "S2 confirmed stop orders have effect",
                                                                    "S2 a slave is told of an emergency",
@@ -169,7 +170,8 @@ inline constexpr std::array<std::string_view, 68> comparison_names{"S1 acknowled
                                                                    "process data are told as they are used",
                                                                    "keep-alive is told from other traffic",
                                                                    "dictionaries follow their lists",
-                                                                   "objects are created as they are listed"};
+                                                                   "objects are created as they are listed",
+                                                                   "frames of its own are taken"};
 /// How often each has compared something.
 using comparison_counts = std::array<std::uint64_t, comparison_names.size()>;
 

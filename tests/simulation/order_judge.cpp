@@ -275,7 +275,9 @@ void order_judge::stop_refused(bridging::stop_order what, const bridging::refusa
     const bool is_odd = attempts % 2 == 0; // refusals before it
     // The first one may be of an order from before the last one was required; process data have their own.
     const bool has_turns = attempts > 1 && attempts == attempts_ + 1 && !what_.is_cyclic;
-    const bool may_be_rest = !needs_emergency_ || is_odd;
+    // The emergency may be confirmed, and end, while rest is still refused.
+    const bool is_over = model_.actuator(what_.account).state != jaus::primary_status_code::emergency;
+    const bool may_be_rest = !needs_emergency_ || is_odd || is_over;
     const bool may_be_emergency = needs_emergency_ || (attempts > 3 && is_odd);
     const bool must_be_emergency = !needs_emergency_ && attempts > 3 && is_odd;
     if (has_turns && what == stop_order::rest && (!may_be_rest || must_be_emergency)) fail("Set Emergency in its turn");
@@ -296,9 +298,10 @@ void order_judge::check_repeat() {
     const auto& wire = *model_.actuator(what_.account).wire;
     const auto& slave = wire[what_.slaves.front()];
     const bool is_hindered = slave.frozen || slave.slow != time{} || slave.unreachable_since || slave.taken_since;
-    const time hindered = std::max({program_.jumped_at(), wire.frames_disturbed_at(), slave.missed_at,
-                                    slave.unfrozen_at, up_at_, is_hindered ? world_.now() : time{}});
-    constexpr time to_transfer = milliseconds{60};
+    const time hindered =
+        std::max({program_.jumped_at(), wire.frames_disturbed_at(), slave.missed_at, slave.unfrozen_at,
+                  slave.recounted_at, up_at_, is_hindered ? world_.now() : time{}});
+    constexpr time to_transfer = milliseconds{120}; // with a query before it
     if (world_.now() - std::max(*repeat_from_, hindered) <= to_transfer) return;
     world_.compares(comparison::stop_repeated);
     breaks(contract::told, "a stop order that is refused is repeated in time", "it is not");

@@ -31,11 +31,11 @@ void ring::add(std::string name, std::uint16_t station, bool cyclic) {
     order_.push_back(i);
 }
 
-void ring::add_arm(std::string name, std::uint16_t station, bool cyclic, std::uint32_t answer_delay) {
+void ring::add_arm(std::string name, std::uint16_t station, bool cyclic, const arm_settings& what) {
     const auto i = places_.size();
     add(std::move(name), station, cyclic);
-    auto made = std::make_unique<arm_unit>(
-        serial_of(i), [this, i](command_number command) { moved_(i, 0, command); }, answer_delay);
+    auto made =
+        std::make_unique<arm_unit>(serial_of(i), [this, i](command_number command) { moved_(i, 0, command); }, what);
     places_.back().arm = made.get();
     places_.back().unit = std::move(made);
 }
@@ -315,6 +315,7 @@ void ring::suffer(fault kind) {
     }
     case fault::mailbox_recounted:
         at.recount = static_cast<std::uint8_t>(random.below(7));
+        at.recounted_at = world_.now();
         tell(i, ring_deed::recounts);
         break;
     case fault::other_master:

@@ -95,7 +95,7 @@ struct ring_place {
     std::uint8_t recount{};          ///< added to the mailbox counter of its new messages
     std::array<std::byte, 16> last_reply{};
     std::uint8_t last_reply_recount{}; ///< a message that is asked for again is the same
-    time unfrozen_at{}, restarted_at{}, passed_at{};
+    time unfrozen_at{}, restarted_at{}, passed_at{}, recounted_at{};
     time disturbed_at{}; ///< when something last happened to it that may delay a stop order
     time missed_at{};    ///< when a frame was last lost before it
     ethercat::al_state told_state{};
@@ -113,7 +113,7 @@ class ring final : public actor {
         : world_{w}, moved_{std::move(moved)}, is_rough_{is_rough} {}
 
     /// The next slave; before `start`.
-    void add_arm(std::string name, std::uint16_t station, bool cyclic, std::uint32_t answer_delay);
+    void add_arm(std::string name, std::uint16_t station, bool cyclic, const arm_settings& what);
     /// `first_joint`: the number in its arm of the first of 1 or 2 axes.
     void add_drive(std::string name, std::uint16_t station, std::size_t axes, std::size_t first_joint,
                    const std::optional<ethercat::clock_error>& clock);

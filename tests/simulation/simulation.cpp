@@ -187,7 +187,7 @@ class bridge_system {
             made.lanes = lanes[random_ring.below(lanes.size())];
             made.is_one_by_one = random_ring.below(3) == 0;
         }
-        add_slaves(made, random);
+        add_slaves(made, random, w.stream(1014));
         for (const auto& each : made.units) {
             const auto node = station_of(each.slaves.front());
             places_.push_back({"node of arm " + std::to_string(places_.size()), {0, 0, node, arm_unit::subsystem}});
@@ -247,7 +247,7 @@ class bridge_system {
         return {.drift = static_cast<std::int32_t>(random.below(200'001)) - 100'000, .start = random.next() >> 2};
     }
     [[nodiscard]] static std::uint8_t station_of(std::size_t slave) { return static_cast<std::uint8_t>(2 + slave); }
-    void add_slaves(const bridge_settings& what, generator& random) {
+    void add_slaves(const bridge_settings& what, generator& random, generator random_arm) {
         const auto& all = what.units;
         const auto count = std::accumulate(all.begin(), all.end(), std::size_t{},
                                            [](std::size_t sum, const auto& each) { return sum + each.slaves.size(); });
@@ -258,7 +258,8 @@ class bridge_system {
                 all, [i](const unit_settings& each) { return std::ranges::count(each.slaves, i) != 0; });
             const auto place = std::ranges::find(whose->slaves, i) - whose->slaves.begin();
             if (whose->axes == 0)
-                wire_.add_arm("arm " + std::to_string(i), station_of(i), whose->cyclic, answer_delay);
+                wire_.add_arm("arm " + std::to_string(i), station_of(i), whose->cyclic,
+                              {.answer_delay = answer_delay, .knows_emergencies = random_arm.below(8) != 0});
             else
                 wire_.add_drive("drive " + std::to_string(i), station_of(i), whose->axes,
                                 static_cast<std::size_t>(place) * whose->axes,
