@@ -98,6 +98,20 @@ TEST_CASE("a slave without an object for emergencies is stopped by zeros") {
     CHECK(r.motor().aborted == 1);
 }
 
+TEST_CASE("rest is told where zeros are confirmed before the slave says that it has no object for emergencies") {
+    rig r{rig::driving{50}};
+    r.motor().abort_code_of = jaus::command_code_of<jaus::set_emergency>;
+    r.motor().aborts = 1;
+    const auto settled = r.watcher.settled_debts;
+    const auto number = r.tell(rig::stop());
+    r.run_until([&] { return r.motor().aborted == 1; });
+    r.motor().aborts = 1'000'000;
+    r.motor().abort = ethercat::abort_code::no_subindex;
+    r.run_until([&] { return r.is_acknowledged(number); }, 200ms);
+    CHECK(r.motor().effort == 0);
+    CHECK(r.watcher.settled_debts == settled + 1);
+}
+
 TEST_CASE("a slave whose table has no object for emergencies is stopped by zeros") {
     rig r{rig::driving{50}};
     r.exchanges[0].lacks = jaus::command_code_of<jaus::set_emergency>;

@@ -91,7 +91,7 @@ struct observer {
     /// The actuator has refused it, for the `attempts`th time: it is tried again.
     jaus::hook<void(const component& unit, stop_order what, const refusal_reason& why, unsigned attempts)>
         stop_refused{};
-    /// The actuator has confirmed all pending orders.
+    /// The actuator has confirmed all pending orders, but for emergencies for which it has no object.
     jaus::hook<void(const component& unit)> settled{};
 
     /// A drive of the component has a fault, or another one than before: it is in Failure. Once for each fault.

@@ -80,6 +80,7 @@ JAUSCAT_FUNCTION void component::on_refused(stop_order what, bool unknown, const
     front_.watcher().stop_refused(*this, what, why, stops_.refusals());
     if (!goes_on) answer_waiting(true, false, now, out);
     if (!stops_.stop_is_pending()) answer_waiting(false, true, now, out);
+    if (goes_on && stops_.settled()) front_.watcher().settled(*this); // it is at rest, and has no emergencies
     follow_up(now, out);
 }
 
