@@ -60,6 +60,20 @@ TEST_CASE("a command that the slave aborts is refused") {
     CHECK(r.motor().effort == 0);
 }
 
+TEST_CASE("a command for all components of a level is executed as one for the component") {
+    rig r{rig::ready{}};
+    const jaus::header head{.command_code = jaus::command_code_of<jaus::set_wrench_effort>,
+                            .destination = {255, 255, 255, 2},
+                            .source = rig::operator_unit};
+    std::array<std::byte, 64> space{};
+    const auto body = jauscat::wire::encode(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50}, space);
+    r.unit().on_message(
+        head, *body, r.now, [](std::span<const std::byte>) {},
+        [](const jaus::header&, std::span<const std::byte>) { return jaus::message_outcome::unhandled; });
+    r.run(100ms);
+    CHECK(r.motor().effort > 49);
+}
+
 TEST_CASE("an emergency stop that the slave aborts is repeated until it is confirmed, then acknowledged") {
     rig r{rig::driving{50}};
     r.motor().abort_code_of = jaus::command_code_of<jaus::set_emergency>;

@@ -125,3 +125,23 @@ TEST_CASE("a slave is removed while it is brought up with others") {
     CHECK_FALSE(r.fronts[i].up());
     CHECK(r.watcher.lost == 0);
 }
+
+TEST_CASE("a slave that is removed while it is brought up gets no frame any more") {
+    rig r{2};
+    r.run_until([&] { return r.actuators[1].slave.state() == ethercat::al_state::pre_op && !r.fronts[1].up(); });
+    r.bus.remove(r.fronts[1], r.now);
+    std::size_t frames = 0;
+    r.on_way_back = [&](std::span<std::byte> frame) {
+        ethercat::mutable_frame_view view;
+        REQUIRE(view.parse(frame));
+        for (const auto each : view) {
+            using enum ethercat::command;
+            const auto how = each.header.cmd;
+            const bool is_to_one = how == fprd || how == fpwr || how == fprw;
+            if (is_to_one && each.header.adp == r.fronts[1].station()) ++frames;
+        }
+    };
+    r.run_until([&] { return r.fronts[0].up(); });
+    r.run(100ms);
+    CHECK(frames == 0);
+}
