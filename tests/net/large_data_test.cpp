@@ -2,6 +2,7 @@
 // acknowledged has arrived, once, and what arrives was sent.
 #include "net/simulated_program.hpp"
 
+#include <deque>
 #include <list>
 #include <map>
 
@@ -154,6 +155,24 @@ TEST_CASE("a large data set that no component handles is ended") {
     REQUIRE(s.network.run(begin + 10s, [&] { return !s.all.back().large_done.empty(); }));
     REQUIRE(s.all.back().large_done.front() == jaus::delivered::timed_out);
     REQUIRE(s.network.now - begin < 2s);
+}
+
+TEST_CASE("the log says why a large data set is given up, and nothing about one that is acknowledged") {
+    senders_and_receiver s{1};
+    auto& sender = s.all.back();
+    s.send(sender, body_of(5, 20'000));
+    s.run_for(10s);
+    REQUIRE(sender.large_done == std::vector{jaus::delivered::acknowledged});
+    CHECK(sender.log.empty());
+
+    s.send(sender, body_of(5, 2'000'000)); // more than the receiver's memory holds
+    s.run_for(10s);
+    CHECK(sender.logged(": a large data set is given up: refused by the receiver (NAK)"));
+
+    s.network.detach(s.receiver->at);
+    s.send(sender, body_of(5, 20'000));
+    s.run_for(10s);
+    CHECK(sender.logged(": a large data set is given up: no acknowledgement in time"));
 }
 
 TEST_CASE("over bad networks with restarts, acknowledged data arrive once, and arriving data were sent") {

@@ -108,6 +108,51 @@ TEST_CASE("a component is taken away only while its node is stopped") {
     CHECK(p.robot.large.empty());
 }
 
+TEST_CASE("a handler that has stopped its node cannot take a component away") {
+    simulated_pair p;
+    p.robot.heard = [&](const jaus::header&, std::span<const std::byte>) {
+        p.robot.node.stop();
+        CHECK_THROWS_AS(p.robot.node.remove(p.robot.self), std::logic_error);
+    };
+    REQUIRE(p.network.run(p.network.now + 2s, [&] { return !p.robot.node.running(); }));
+    p.robot.heard = {};
+    CHECK_NOTHROW(p.robot.node.remove(p.robot.self)); // outside of the handler
+}
+
+TEST_CASE("time has no effect on a stopped node, also in the handler that has stopped it") {
+    simulated_pair p;
+    p.robot.heard = [&](const jaus::header&, std::span<const std::byte>) {
+        p.robot.node.stop();
+        const auto sent = p.network.sent;
+        p.robot.node.on_time(p.network.now + 10s);
+        CHECK(p.network.sent == sent);
+        CHECK(p.robot.node.in_turn()); // until the handler returns
+    };
+    REQUIRE(p.network.run(p.network.now + 2s, [&] { return !p.robot.node.running(); }));
+    CHECK_FALSE(p.robot.node.in_turn());
+}
+
+TEST_CASE("events of a node manager's status end with the loss of their consumer") {
+    simulated_pair p;
+    auto& now = p.network.now;
+    unsigned events = 0;
+    p.robot.on_sent = [&](std::span<const std::byte> message) {
+        events += jaus::split(message).header.command_code == jaus::command_code_of<jaus::event>;
+    };
+    REQUIRE(p.ocu.node.send({.destination = make(2, 1), .source = p.ocu.self},
+                            jaus::create_event{.message_code = jaus::command_code_of<jaus::report_component_status>,
+                                               .event_type = jaus::event_type::periodic,
+                                               .requested_periodic_rate = 20.0},
+                            now));
+    p.network.run(now + 1s);
+    CHECK(events >= 19);
+    p.network.detach(p.ocu.at);
+    REQUIRE(p.network.run(now + 10s, [&] { return has(p.robot.disappeared, make(1, 1)); }));
+    events = 0;
+    p.network.run(now + 1s);
+    CHECK(events == 0);
+}
+
 TEST_CASE("a node without sockets paces large data sets, and sends nothing while it is stopped") {
     simulated_pair p;
     auto& now = p.network.now;
@@ -132,6 +177,26 @@ TEST_CASE("a node without sockets paces large data sets, and sends nothing while
     p.robot.node.start(now);
     p.ocu.appeared.clear();
     REQUIRE(p.network.run(now + 2s, [&] { return has(p.ocu.appeared, make(2, 1)); }));
+}
+
+TEST_CASE("a body of one byte more than a packet holds is sent as a large data set of two packets") {
+    simulated_pair p;
+    auto& now = p.network.now;
+    std::vector<jaus::data_flag> flags{};
+    p.ocu.on_sent = [&](std::span<const std::byte> message) {
+        if (const auto m = jaus::split(message); m.header.command_code == 0xD111) flags.push_back(m.header.data_flag);
+    };
+    const jaus::header head{.command_code = 0xD111, .destination = p.robot.self, .source = p.ocu.self};
+    const bytes body(4081, std::byte{7});
+    REQUIRE(p.ocu.node.send(head, std::span{body}.first(4080), now));
+    p.network.run(now + 1s);
+    CHECK(flags == std::vector{jaus::data_flag::only});
+    flags.clear();
+    REQUIRE(p.ocu.node.send(head, std::span{body}, now));
+    p.network.run(now + 1s);
+    CHECK(flags == std::vector{jaus::data_flag::first, jaus::data_flag::last});
+    REQUIRE(p.robot.large.size() == 2);
+    CHECK(p.robot.large.back() == body);
 }
 
 TEST_CASE("a node sends a typed message of unbounded size, as a large data set if necessary") {
@@ -206,6 +271,22 @@ TEST_CASE("a node without sockets reports refusals of its gate") {
     REQUIRE(p.robot.log.size() == 2);
     REQUIRE(p.robot.logged("could be answered: truncated: shorter than the 16-byte JAUS header"));
     REQUIRE(p.robot.core.state() == jaus::primary_status_code::ready);
+}
+
+TEST_CASE("an unroutable message to a group is logged unless it is for another subsystem") {
+    simulated_pair p;
+    const auto arrives = [&](const jaus::address& to) {
+        std::array<std::byte, 64> message{};
+        const auto made = jaus::make_message({.destination = to, .source = p.ocu.self}, jaus::standby{}, message);
+        REQUIRE(made);
+        REQUIRE(p.robot.node.on_datagram(*made, p.ocu.at, {}, true, p.network.now) == net::verdict::accepted);
+    };
+    arrives(make(3, 1, 33));
+    CHECK(p.robot.log.empty());
+    arrives(make(2, 1, 77));
+    CHECK(p.robot.logged("unroutable: this node has no such component"));
+    arrives(make(255, 255, 0)); // to all subsystems
+    CHECK(p.robot.logged("unroutable: an octet of the destination ID is 0"));
 }
 
 TEST_CASE("the log names field and byte of a body that does not decode, if configured") {
