@@ -106,7 +106,6 @@ JAUSCAT_DECL void node_machine::stop() {
     parts_->core.large.clear();
     parts_->changes.clear();
     parts_->thrown = nullptr;
-    wake_at_.reset();
     if (unsent != 0)
         parts_->log(at_, [&] { return std::to_string(unsent) + " large data sets were not sent to their end"; });
 }
