@@ -471,6 +471,16 @@ TEST_CASE("a program restarted with the same numbers is obeyed as soon as that i
     REQUIRE(a.handed_on == 5);
 }
 
+TEST_CASE("a restarted program's command that was lost at first is executed, although one of the run before is equal") {
+    arm a;
+    REQUIRE(a.hear(0x0405, 7, 1, 0ms) == received::handed_on);
+    REQUIRE(a.hear(0x0405, 8, 1, 10ms) == received::handed_on);
+    REQUIRE(a.hear(0x0405, 8, 2, 100ms) == received::handed_on); // it has restarted, and its 7 was lost
+    REQUIRE(a.hear(0x0405, 7, 1, 150ms) == received::handed_on);
+    REQUIRE(a.hear(0x0405, 7, 1, 160ms) == received::repeated);
+    REQUIRE(a.handed_on == 4);
+}
+
 TEST_CASE("what a restarted program has sent since is not forgotten when it is known to have restarted") {
     arm a;
     const auto number = GENERATE(as<std::uint16_t>{}, 10, 2); // also after 1, the first number of a program

@@ -158,6 +158,18 @@ TEST_CASE("a periodic event is sent at the confirmed rate, without drift and wit
     REQUIRE(p.events.skipped() == 1);
 }
 
+TEST_CASE("a change puts off no periodic event") {
+    provider p;
+    p.create({.message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 10});
+    REQUIRE(p.wait(0s) == 1);
+    const auto due = p.events.next_event();
+    REQUIRE(due < instant{101ms});
+    REQUIRE(p.drive(1, 150ms) == 0); // the event is late
+    REQUIRE(p.events.next_event() == due);
+    p.events.on_time(instant{151ms}, p.sent.sink());
+    REQUIRE(p.sent.size() == 1);
+}
+
 TEST_CASE("the report of a periodic event is read when the event is due, not before") {
     provider p;
     p.create({.message_code = velocity,
@@ -901,6 +913,19 @@ TEST_CASE("a consumer that restarts repeatedly leaves no events behind") {
         p.rejects(
             jaus::create_event{.local_request_id = 3, .message_code = velocity, .event_type = event_type::every_change},
             third) == event_response::connection_refused);
+}
+
+TEST_CASE("requesters that number their requests alike keep their events when all places are taken") {
+    provider p;
+    const auto request = [](std::uint8_t id, event_type type) {
+        return jaus::create_event{.local_request_id = id, .message_code = velocity, .event_type = type};
+    };
+    for (const std::uint8_t id : {std::uint8_t{1}, std::uint8_t{2}})
+        for (const auto& requester : {viewer, third})
+            REQUIRE(p.hear(requester, request(id, event_type::every_change)) == message_outcome::handled);
+    REQUIRE(p.rejects(request(3, event_type::every_change), third) == event_response::connection_refused);
+    REQUIRE(p.drive(1, 1s) == 4);
+    REQUIRE(std::ranges::count(p.events.records(), viewer, &jaus::event_record::requester) == 2);
 }
 
 TEST_CASE("an event without a request is cancelled, at most once for each answer timeout") {

@@ -228,6 +228,18 @@ TEST_CASE("a late packet of a delivered data set does not become part of the nex
     REQUIRE(r.lost.empty());
 }
 
+TEST_CASE("equal data sets of two senders, or of two codes, are both received") {
+    receiver r;
+    const auto send = [&](std::uint8_t sender, std::uint16_t code) {
+        REQUIRE(r.hear(data_flag::first, 0, "01", 0ms, sender, code) == reassembled::waiting);
+        REQUIRE(r.hear(data_flag::last, 1, "02", 0ms, sender, code) == reassembled::whole);
+    };
+    send(1, 0x4807);
+    send(2, 0x4807);
+    send(2, 0x4A23);
+    REQUIRE(r.whole == texts{"01 02", "01 02", "01 02"});
+}
+
 TEST_CASE("a last packet repeated for want of its acknowledgement begins no data set") {
     receiver r;
     const auto hear = [&](data_flag flag, std::uint16_t number, const std::string& body, instant now) {
