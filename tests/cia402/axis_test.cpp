@@ -352,14 +352,14 @@ TEST_CASE("an axis that is enabled while an earlier command is on the way to the
     const int delay = GENERATE(0, 1, 2); // cycles
     rig r;
     std::vector<axis_targets> on_the_way;
+    const auto send = [&](const axis_targets& targets) {
+        on_the_way.push_back(targets);
+        if (static_cast<int>(on_the_way.size()) <= delay) return;
+        r.drive.take(on_the_way.front());
+        on_the_way.erase(on_the_way.begin());
+    };
     const auto cycle = [&](int count) {
-        for (int i = 0; i != count; ++i) {
-            r.now += 1ms;
-            on_the_way.push_back(r.mine.on_cycle(r.drive.feedback, r.now));
-            if (static_cast<int>(on_the_way.size()) <= delay) continue;
-            r.drive.take(on_the_way.front());
-            on_the_way.erase(on_the_way.begin());
-        }
+        for (int i = 0; i != count; ++i) send(r.mine.on_cycle(r.drive.feedback, r.now += 1ms));
     };
     r.mine.set_mode(mode::cyclic_synchronous_velocity);
     for (int off = 1; off != 12; ++off) {
@@ -369,6 +369,15 @@ TEST_CASE("an axis that is enabled while an earlier command is on the way to the
         r.mine.disable();
         cycle(off);
     }
+    REQUIRE(r.mine.enable());
+    cycle(20);
+    r.now += 1ms;
+    send(r.mine.on_lost()); // a quick stop
+    r.mine.reset();
+    REQUIRE(r.mine.enable());
+    cycle(20);
+    CHECK(r.mine.error().code == axis_errc::ok);
+    CHECK(r.mine.state() == axis_state::enabled);
 }
 
 TEST_CASE("a drive that leaves operation enabled again and again fails the axis in time") {
@@ -789,6 +798,19 @@ TEST_CASE("a drive that shows no state gets the quick stop, then no voltage") {
         CHECK(cycle() == 0x00);
         CHECK(r.mine.error().code == (on ? axis_errc::enable_lost : axis_errc::step_timeout));
     }
+}
+
+TEST_CASE("an axis is told to stop until its drive shows a state, and is then enabled") {
+    rig r;
+    r.mine.set_mode(mode::cyclic_synchronous_velocity);
+    r.drive.feedback.statusword = 0x0001;
+    REQUIRE(r.mine.enable());
+    for (int i = 0; i != 10; ++i)
+        CHECK(r.mine.on_cycle(r.drive.feedback, r.now += 1ms).controlword == control_of(command::quick_stop));
+    CHECK(r.mine.waits_for() == axis_wait::known_state);
+    r.drive.show();
+    r.cycle(6);
+    CHECK(r.mine.state() == axis_state::enabled);
 }
 
 TEST_CASE("an axis brakes in its old mode while the drive does not take the new one") {

@@ -190,6 +190,23 @@ TEST_CASE("a drive that is enabled again on its ramp stays enabled") {
     }
 }
 
+TEST_CASE("the torque of profile torque begins at 0 each time that the drive is enabled") {
+    rig r;
+    r.values().torque_slope = 1000; // 1 per mille in each cycle
+    r.enable_by_hand(mode::profile_torque);
+    const auto push = [&](std::uint16_t word, int cycles) {
+        r.places.store({.controlword = word, .mode = mode::profile_torque, .torque = 500}, r.outputs);
+        for (int i = 0; i != cycles; ++i) r.exchange();
+        return r.values().torque_actual;
+    };
+    CHECK(push(0x0F, 100) == 100);
+    CHECK(push(0x00, 1) == 0); // disable voltage: without a ramp
+    push(0x06, 1);
+    push(0x07, 1);
+    CHECK(push(0x0F, 1) == 1);
+    CHECK(push(0x0F, 99) == 100);
+}
+
 TEST_CASE("a motor has the speed of its model at most") {
     rig r;
     r.drive = emulated_drive<>{motor_model{.max_speed = 1000}};

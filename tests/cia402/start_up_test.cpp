@@ -20,6 +20,19 @@ TEST_CASE("60C2h has a period in milliseconds, or in powers of ten below") {
     STATIC_REQUIRE(interpolation_period_of(333us) == std::nullopt);
 }
 
+TEST_CASE("60C2h has a period of more than 255 ms in tenths of a second or more") {
+    const auto is = [](duration cycle, std::optional<interpolation_period> expected) {
+        CAPTURE(cycle.count());
+        CHECK(interpolation_period_of(cycle) == expected);
+    };
+    is(250ms, interpolation_period{250, -3});
+    is(260ms, interpolation_period{26, -2});
+    is(1s, interpolation_period{100, -2});
+    is(2560ms, std::nullopt); // 256 x 10^-2 s
+    is(25'500ms, interpolation_period{255, -1});
+    is(255s, interpolation_period{255, 0});
+}
+
 TEST_CASE("the start-up objects of an axis are 60C2h, and 6060h where it is not mapped") {
     const auto mapped = cia402::places_of(cia402::cyclic_outputs, cia402::cyclic_inputs);
     const cia402::axis_start_up first{2ms, mapped};
