@@ -205,6 +205,21 @@ TEST_CASE("the limits of a period above 1 ms are as many times wider") {
     STATIC_REQUIRE(of_250_us.lock_within == cycle_control_options{}.lock_within);
 }
 
+TEST_CASE("cycles that stay late or early are corrected as for a drift of 1000 ppm at most") {
+    const std::int64_t late = GENERATE(1, -1); // early
+    constexpr cycle_control_options options{};
+    const auto frame_at = [&](duration error) {
+        return static_cast<std::uint64_t>((options.period + options.phase + error).count());
+    };
+    cycle_control control{options};
+    for (int i = 0; i != 1'000; ++i) static_cast<void>(control.on_time(frame_at(late * 100us)));
+    CHECK(control.drift() == -late * 1'000'000);
+    CHECK(control.on_missing() == -late * 1us);
+    // It ends as fast as it has come.
+    for (int i = 0; i != 50; ++i) static_cast<void>(control.on_time(frame_at(-late * 100us)));
+    CHECK(control.drift() == late * 1'000'000);
+}
+
 TEST_CASE("lost frames are coasted over") {
     const auto slaves = test::line_of(8, 23);
     cycles ring{slaves, 100, 5us};
