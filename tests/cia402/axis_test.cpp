@@ -600,6 +600,17 @@ TEST_CASE("homing ends by the drive's bits, not by those of an earlier one") {
     CHECK(r.mine.error().code == axis_errc::homing_failed);
 }
 
+TEST_CASE("an error of homing counts from the fifth cycle on") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::homing));
+    REQUIRE(r.mine.home());
+    r.drive.bits = status_bits::homing_error;
+    r.cycle(4);
+    CHECK(r.mine.error().code == axis_errc::ok);
+    r.cycle();
+    CHECK(r.mine.error().code == axis_errc::homing_failed);
+}
+
 TEST_CASE("a target of another mode is refused") {
     rig r{slow};
     REQUIRE(r.enable(mode::cyclic_synchronous_velocity));

@@ -4,6 +4,7 @@
 #include "ethercat/objects.hpp"
 #include "ethercat/slave_bench.hpp"
 #include <jauscat/bridge/listed_objects.hpp>
+#include <jauscat/ethercat/master/object_descriptions.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 
 using namespace jauscat::ethercat;
@@ -247,4 +248,21 @@ TEST_CASE("objects of JAUS messages are described as a record of octet strings")
     CHECK(is_readable(objects.describe(0x1B15, 121)->access));
     CHECK(objects.describe(0x1B15, 0)->bits == 8);
     CHECK_FALSE(objects.describe(0x1B15, 27));
+}
+
+TEST_CASE("the description of an entry has the values that the slave has sent, and the name behind them") {
+    enum : unsigned { unit = 0x08, minimum = 0x20 };
+    std::array<std::byte, 64> space{};
+    auto answer = *jauscat::wire::encode(
+        entry_answer{.index = 0x6064, .subindex = 0, .value_info = unit | minimum, .bits = 16}, space);
+    const auto expected = std::to_array<std::uint8_t>({0x44, 0x33, 0x22, 0x11, 0x34, 0x12, 'p', 'o', 's'});
+    std::ranges::copy(std::as_bytes(std::span{expected}), space.begin() + static_cast<std::ptrdiff_t>(answer.size()));
+    const auto found = decode_entry_description(std::span{space}.first(answer.size() + expected.size()));
+    REQUIRE(found);
+    CHECK(found->entry.index == 0x6064);
+    CHECK(found->unit == 0x11223344);
+    CHECK(to_hex(found->minimum) == "34 12");
+    CHECK(found->default_value.empty());
+    CHECK(found->maximum.empty());
+    CHECK(found->name == "pos");
 }

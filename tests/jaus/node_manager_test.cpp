@@ -390,7 +390,8 @@ TEST_CASE("only a known node manager of the subsystem adds components, and only 
 TEST_CASE("the subsystem list has each subsystem once, by a node manager if one is known") {
     node n;
     REQUIRE(n.subsystems() == lines{"1.2.1.1"});
-    for (const auto& who : {make(7, 3, 35, 1), make(2, 9), make(2, 4), make(2, 1, 33), make(1, 1), make(200, 1)})
+    for (const auto& who :
+         {make(7, 4, 34, 1), make(7, 3, 35, 1), make(2, 9), make(2, 4), make(2, 1, 33), make(1, 1), make(200, 1)})
         n.beat(who, 0s);
     REQUIRE(n.subsystems() == lines{"1.2.1.1", "2.4.1.1", "7.3.35.1", "200.1.1.1"});
 }
