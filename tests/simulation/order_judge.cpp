@@ -168,7 +168,8 @@ void order_judge::check_reason(const bridging::refusal_reason& why) {
 
 void order_judge::merged(const jaus::header& head) {
     world_.compares(comparison::refusal_caused);
-    if (!moves(head.command_code)) breaks(contract::told, "a motion command that is merged", text(head));
+    const bool sets = head.command_code >= 0x0400 && head.command_code < 0x2000;
+    if (!sets) breaks(contract::told, "a command that sets something is merged", text(head));
     if (!is_handled_ && !std::exchange(has_replaced_, false))
         breaks(contract::told, "a merge with a command that waited", "none did");
 }
