@@ -289,7 +289,7 @@ void order_judge::stop_refused(bridging::stop_order what, const bridging::refusa
     refused_order_ = what;
     refused_at_ = program_.local();
     repeat_from_.reset();
-    if (what != stop_order::clear_emergency) // which is given up
+    if (what != stop_order::clear_emergency || what_.is_cyclic) // it is given up; another one may wait for a cycle
         repeat_from_ = world_.now() + what_.stop_interval * std::min(attempts, 10U);
 }
 
@@ -359,7 +359,8 @@ void order_judge::check() {
     if (now - checked_at_ < milliseconds{10}) return;
     checked_at_ = now;
     if (is_in_emergency()) emergency_at_ = now;
-    if (is_in_emergency() || is_faulted_) hindered_at_ = now;
+    const bool has_emergency = model_.actuator(what_.account).state == jaus::primary_status_code::emergency;
+    if (is_in_emergency() || has_emergency || is_faulted_) hindered_at_ = now; // the arm may not know of it
     const auto is_awaited = [](const order& one) {
         const bool is_numbered = one.head.sequence_number != 0; // else it may be the repeat of one before
         return is_query(one.head.command_code) || (is_numbered && one.head.ack_nak == jaus::ack_nak::request);

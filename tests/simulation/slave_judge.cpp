@@ -56,7 +56,7 @@ void slave_judge::up(const ethercat::slave_record& record, bool ready, const mas
          std::to_string(record.identity.serial));
     says(kept == master_error{}, "no error of a slave that was brought up", text_of(kept));
     if (phase_ == phase::absent) attempt_ends();
-    if (ready && slave().drive != nullptr && !wire_.is_elsewhere(what_.place)) check_start_up();
+    if (ready && slave().drive != nullptr && !slave().away && !wire_.is_elsewhere(what_.place)) check_start_up();
     phase_ = ready ? phase::up : phase::pre_op;
     last_count_.reset();
     up_at_ = world_.now();
