@@ -266,6 +266,21 @@ TEST_CASE("a drive that is late keeps its targets, and goes on to rest if it is 
     }
 }
 
+TEST_CASE("a command takes effect in all drives in the same cycle, also in one that is late") {
+    arm a;
+    a.missing = bridging::input_age::late;
+    a.cycle(5);
+    REQUIRE(a.turn(1.0) == joint_errc::ok);
+    a.cycle(100);
+    a.devices[2].connected = false;
+    a.cycle(4);
+    REQUIRE(a.turn(2.0) == joint_errc::ok);
+    a.cycle();
+    CHECK(a.group.has_targets());
+    for (std::size_t i = 0; i != joints; ++i)
+        CHECK(std::abs(a.group.axis(i).targets().velocity) == Approx(12'000).margin(1));
+}
+
 TEST_CASE("a message for another number of joints changes nothing") {
     arm a;
     a.cycle(5);

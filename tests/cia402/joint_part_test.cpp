@@ -223,6 +223,24 @@ TEST_CASE("a joint message is acknowledged after all drives have got its targets
     CHECK(had_targets == true);
 }
 
+TEST_CASE("a joint message is not acknowledged when its targets were replaced before they were sent") {
+    drives d;
+    bool had_targets = false;
+    d.on_step = [&] {
+        for (std::size_t i = 0; i != joints; ++i) had_targets |= d.motor(i).values.target_velocity != 0;
+    };
+    const auto first = d.turn(1.0);
+    d.run(std::chrono::milliseconds{GENERATE(range(2, 20, 2))});
+    d.frames_to_lose = 3;
+    d.run_until([&] { return d.frames_to_lose == 0; });
+    d.run(2ms);
+    const bool was_sent = had_targets;
+    const auto second = d.turn(2.0);
+    d.run_until([&] { return d.answer(second).has_value(); }, 100ms);
+    CHECK(d.answer(second) == jaus::ack_nak::ack);
+    CHECK(d.answer(first) == (was_sent ? jaus::ack_nak::ack : jaus::ack_nak::nak));
+}
+
 TEST_CASE("each drive gets the period of the ring as its interpolation time before it comes to OP") {
     drives d;
     for (std::size_t i = 0; i != joints; ++i) {

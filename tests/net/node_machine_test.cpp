@@ -16,6 +16,15 @@ struct simulated_pair {
     simulated_program robot{network, config("robot", systems), make(2, 1, 33)};
 };
 
+/// Twenty a second.
+void request_status_events(simulated_pair& p, const jaus::address& provider) {
+    REQUIRE(p.ocu.node.send({.destination = provider, .source = p.ocu.self},
+                            jaus::create_event{.message_code = jaus::command_code_of<jaus::report_component_status>,
+                                               .event_type = jaus::event_type::periodic,
+                                               .requested_periodic_rate = 20.0},
+                            p.network.now));
+}
+
 } // namespace
 
 TEST_CASE("two nodes without sockets discover each other, exchange commands and lose each other in simulated time") {
@@ -54,11 +63,7 @@ TEST_CASE("a node sends periodic events of its component's status at their rate"
     p.ocu.heard = [&](const jaus::header& head, std::span<const std::byte>) {
         events += head.command_code == jaus::command_code_of<jaus::event>;
     };
-    REQUIRE(p.ocu.node.send({.destination = p.robot.self, .source = p.ocu.self},
-                            jaus::create_event{.message_code = jaus::command_code_of<jaus::report_component_status>,
-                                               .event_type = jaus::event_type::periodic,
-                                               .requested_periodic_rate = 20.0},
-                            now));
+    request_status_events(p, p.robot.self);
     p.network.run(now + 1s);
     CHECK(events >= 19);
 }
@@ -139,11 +144,7 @@ TEST_CASE("events of a node manager's status end with the loss of their consumer
     p.robot.on_sent = [&](std::span<const std::byte> message) {
         events += jaus::split(message).header.command_code == jaus::command_code_of<jaus::event>;
     };
-    REQUIRE(p.ocu.node.send({.destination = make(2, 1), .source = p.ocu.self},
-                            jaus::create_event{.message_code = jaus::command_code_of<jaus::report_component_status>,
-                                               .event_type = jaus::event_type::periodic,
-                                               .requested_periodic_rate = 20.0},
-                            now));
+    request_status_events(p, make(2, 1));
     p.network.run(now + 1s);
     CHECK(events >= 19);
     p.network.detach(p.ocu.at);

@@ -49,7 +49,11 @@ std::string line_of(const recorded_run& one) {
 std::vector<recorded_run> renewed(std::vector<recorded_run> runs, unsigned jobs) {
     std::atomic<std::size_t> next{};
     const auto work = [&] {
-        for (std::size_t i = next++; i < runs.size(); i = next++) runs[i].digest = run(runs[i].what).digest;
+        for (std::size_t i = next++; i < runs.size(); i = next++) {
+            const auto result = run(runs[i].what);
+            runs[i].digest = result.digest;
+            runs[i].breaks = result.broken.has_value();
+        }
     };
     std::vector<std::jthread> workers;
     for (unsigned i = 0; i != jobs; ++i) workers.emplace_back(work);

@@ -13,6 +13,7 @@ struct recorded_run {
     settings what{};
     std::uint64_t digest{}; ///< 0: not recorded
     std::string note{};     ///< lines in front of it
+    bool breaks{};          ///< the contract, in the present code
 };
 
 /// Of recorded_runs.txt. std::runtime_error with the line where it cannot be read.

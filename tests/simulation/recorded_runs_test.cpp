@@ -12,6 +12,8 @@
 using namespace simulation;
 using namespace std::chrono_literals;
 
+// Motors compute in floating point: where a compiler fuses multiplications and additions, digests are others.
+#if defined(__x86_64__) && !defined(__FMA__)
 TEST_CASE("in recorded runs all programs send and tell what they did when they were recorded") {
     const auto recorded = read_recorded_runs(support::source_file("tests/simulation/recorded_runs.txt"));
     const auto are = renewed(recorded, std::thread::hardware_concurrency());
@@ -21,8 +23,10 @@ TEST_CASE("in recorded runs all programs send and tell what they did when they w
              "compare the output of simulate --trace --system SYSTEM --seed SEED --seconds SECONDS with that of the "
              "commit before");
         CHECK(line_of(are[i]) == line_of(recorded[i]));
+        CHECK_FALSE(are[i].breaks);
     }
 }
+#endif
 
 TEST_CASE("a run with another byte, word or cause has another digest") {
     const auto digest_of = [](auto&& tell) {

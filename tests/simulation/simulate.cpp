@@ -196,13 +196,16 @@ int renew(const std::string& path, unsigned jobs) {
     const auto were = read_recorded_runs(path), are = renewed(were, jobs);
     std::ofstream file{path};
     unsigned changed = 0;
+    bool breaks = false;
     for (std::size_t i = 0; i != are.size(); ++i) {
         file << line_of(are[i]);
+        if (are[i].breaks) std::fprintf(stderr, "simulate: a run breaks the contract: %s", line_of(are[i]).c_str());
+        breaks = breaks || are[i].breaks;
         if (are[i].digest != were[i].digest) ++changed;
     }
     if (!file.flush()) throw std::runtime_error{path + ": cannot be written"};
     std::printf("%s: %zu runs, of which %u have another digest than before\n", path.c_str(), are.size(), changed);
-    return 0;
+    return breaks ? 1 : 0;
 }
 
 int start(int argc, char** argv) {
@@ -254,7 +257,10 @@ int start(int argc, char** argv) {
             "--system is any, jaus, mailbox, cyclic, mixed, drives, robot, clocks, nodes or joints"};
     chosen.each.system = *system;
     if (values.count("renew") != 0) return renew(values["renew"].as<std::string>(), chosen.jobs);
-    if (values["trace"].as<bool>()) chosen.each.trace = &std::cout;
+    if (values["trace"].as<bool>()) {
+        if (values.count("seed") == 0) throw std::runtime_error{"--trace needs --seed: it shows one run"};
+        chosen.each.trace = &std::cout;
+    }
     if (values.count("seed") != 0) {
         chosen.first_seed = values["seed"].as<std::uint64_t>();
         return run_one(chosen) ? 0 : 1;

@@ -133,10 +133,12 @@ template <std::size_t Joints> class joint_group {
 
     /// One cycle: inputs in, targets out, for all drives.
     constexpr void step(std::span<const drive_image> drives, time_point now) noexcept {
-        if (pending_ && are_all(cia402::axis_state::enabled)) apply();
+        const bool is_new = pending_ && are_all(cia402::axis_state::enabled);
+        if (is_new) apply();
         for (std::size_t i = 0; i != Joints; ++i) {
             const drive_image drive = slaves_[i] < drives.size() ? drives[slaves_[i]] : drive_image{};
-            if (drive.age == input_age::late && (pending_ || in_force_)) continue;
+            // Its outputs keep what they have, but all get a new command's targets in the same cycle.
+            if (drive.age == input_age::late && !is_new && (pending_ || in_force_)) continue;
             if (drive.age != input_age::lost && places_[i].statusword.fits(drive.inputs.size())) {
                 auto feedback = places_[i].load(drive.inputs);
                 feedback.is_current = drive.age == input_age::current;
