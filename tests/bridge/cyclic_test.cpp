@@ -231,6 +231,26 @@ TEST_CASE("messages without process data are sent by mailbox between cycles") {
     CHECK(r.bus.process_data().statistics().lost == 0);
 }
 
+TEST_CASE("a frame of process data that is not sent ends no transfer") {
+    rig r{rig::driving{50, true}};
+    unsigned left = 1;
+    r.takes = [&](std::span<std::byte> frame) {
+        ethercat::mutable_frame_view view;
+        REQUIRE(view.parse(frame));
+        const bool has_process_data =
+            std::ranges::any_of(view, [](const auto& each) { return each.header.cmd == ethercat::command::lrw; });
+        if (!has_process_data || left == 0) return true;
+        --left;
+        return false;
+    };
+    r.actuators[0].hangs = true; // so that the transfer lasts until the next cycle
+    const auto number = r.tell(jaus::set_travel_speed{.desired_speed = 3});
+    r.run_until([&] { return left == 0; });
+    r.actuators[0].hangs = false;
+    r.run_until([&] { return r.answer(number).has_value(); });
+    CHECK(r.is_acknowledged(number));
+}
+
 TEST_CASE("a command that the slave does not accept in time is removed from its outputs") {
     rig r{1, true};
     r.run_until_ready();

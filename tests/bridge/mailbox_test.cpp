@@ -17,6 +17,16 @@ TEST_CASE("a command is acknowledged after the slave has executed it") {
     CHECK(r.motor().effort == Approx(50).margin(0.01));
 }
 
+TEST_CASE("a command is refused, and its slave kept, if that refuses the 0 that is to come first") {
+    rig r{rig::ready{}};
+    r.options.download.clear_subindex_0 = true;
+    const auto number = r.drive(50);
+    r.run_until([&] { return r.answer(number).has_value(); });
+    CHECK(r.is_refused(number));
+    CHECK(r.watcher.refusals == std::vector{bridging::refusal::by_slave});
+    CHECK(r.watcher.lost == 0);
+}
+
 TEST_CASE("a query is answered with the slave's report") {
     rig r{rig::driving{25}};
     r.tell(jaus::query_wrench_effort{}, 0, ack_nak::none);

@@ -180,6 +180,17 @@ TEST_CASE("start-up objects that a slave does not have are passed over") {
     CHECK(r.watcher.lost == 0);
 }
 
+TEST_CASE("a slave that refuses to tell a start-up object that it has does not operate") {
+    static constexpr std::array value{std::byte{1}};
+    joint_part part;
+    part.start_up_objects = {{.index = 6933, .subindex = 26, .data = value}}; // can only be written
+    rig r{1, true, {&part}};
+    r.run_until([&] { return r.watcher.lost == 2; });
+    CHECK(r.watcher.last_loss == bridging::loss::no_process_data);
+    CHECK_FALSE(r.fronts[0].up());
+    CHECK(r.bus.bring_up_error(r.fronts[0]).abort == ethercat::abort_code::write_only);
+}
+
 TEST_CASE("slaves with other process data than a part needs are not served") {
     joint_part part;
     bridging::process_channel empty{part, {}};

@@ -276,9 +276,10 @@ class rig {
     jauscat::time_point now{1s};
     std::chrono::nanoseconds round_trip{200us};
     bool cable_is_out{};
-    std::optional<ethercat::slave_tree> wires{}; ///< that frames pass, if they are not next to one another
-    std::size_t dead_from{1000};                 ///< slaves from here on do not get frames
-    unsigned frames_to_lose{};                   ///< the next frames
+    std::optional<ethercat::slave_tree> wires{};       ///< that frames pass, if they are not next to one another
+    std::size_t dead_from{1000};                       ///< slaves from here on do not get frames
+    unsigned frames_to_lose{};                         ///< the next frames
+    std::function<bool(std::span<std::byte>)> takes{}; ///< the link takes a frame; empty: all
     std::function<void(std::span<std::byte>)> on_way_back{};
     std::uint64_t frames{};
 
@@ -290,7 +291,13 @@ class rig {
 
     void step(jauscat::time_point limit) {
         std::array<std::byte, ethercat::max_frame_size> frame{};
-        while (const auto size = bus.next_frame(frame, now)) send(std::span{frame}.first(size));
+        while (const auto size = bus.next_frame(frame, now)) {
+            const auto next = std::span{frame}.first(size);
+            if (takes && !takes(next))
+                bus.not_sent();
+            else
+                send(next);
+        }
         auto next = limit;
         if (const auto event = bus.next_event()) next = std::min(next, *event);
         for (auto& each : units)

@@ -126,6 +126,24 @@ TEST_CASE("a slave is removed while it is brought up with others") {
     CHECK(r.watcher.lost == 0);
 }
 
+TEST_CASE("a slave is brought up while another one before it is removed") {
+    const bool cyclic = GENERATE(false, true);
+    for (unsigned frames = 1, is_up = 0; is_up == 0; ++frames) {
+        rig r{2, cyclic};
+        r.run_until_ready();
+        r.dead_from = 1;
+        r.run_until([&] { return !r.fronts[1].up(); });
+        r.actuators[1].power_cycle();
+        r.dead_from = 2;
+        r.run_until([&, before = r.frames] { return r.frames - before >= frames || r.fronts[1].up(); });
+        is_up = r.fronts[1].up();
+        const auto failed = r.watcher.failed_bring_ups;
+        r.bus.remove(r.fronts[0], r.now);
+        r.run_until([&] { return r.fronts[1].up(); }, 1s);
+        CHECK(r.watcher.failed_bring_ups == failed);
+    }
+}
+
 TEST_CASE("a slave that is removed while it is brought up gets no frame any more") {
     rig r{2};
     r.run_until([&] { return r.actuators[1].slave.state() == ethercat::al_state::pre_op && !r.fronts[1].up(); });

@@ -380,6 +380,33 @@ TEST_CASE("an axis that is enabled while an earlier command is on the way to the
     CHECK(r.mine.state() == axis_state::enabled);
 }
 
+TEST_CASE("an axis that was stopped while it changed its mode begins with the velocity of the motor") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_position));
+    REQUIRE(r.mine.move_to(100'000));
+    r.follow(60);
+    r.mine.set_mode(mode::cyclic_synchronous_velocity);
+    r.mine.quick_stop();
+    r.drive.feedback.velocity = 0;
+    r.cycle(10);
+    REQUIRE(r.mine.enable());
+    while (r.drive.state != state::switched_on && r.now < time_point{1s}) r.cycle();
+    r.drive.feedback.velocity = 500; // its load turns it
+    while (r.mine.targets().velocity == 0 && r.now < time_point{1s}) r.cycle();
+    CHECK(r.mine.targets().velocity == 490);
+}
+
+TEST_CASE("an axis that is enabled while its quick stop is on the way sends no velocity until that has shown") {
+    rig r = turning();
+    r.mine.quick_stop();
+    r.drive.stuck = true; // its status follows later
+    r.cycle();
+    REQUIRE(r.mine.enable());
+    r.cycle();
+    CHECK(r.mine.state() == axis_state::enabling);
+    CHECK(r.mine.targets().velocity == 0);
+}
+
 TEST_CASE("a drive that leaves operation enabled again and again fails the axis in time") {
     rig r;
     r.mine.set_mode(mode::cyclic_synchronous_velocity);
@@ -429,6 +456,17 @@ TEST_CASE("after a halt an axis pushes with nothing until it is told to") {
     r.mine.halt(false);
     r.cycle(20);
     CHECK(r.mine.targets().torque == 0);
+}
+
+TEST_CASE("a drive that turns by its own profile is halted before it is disabled") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::profile_velocity));
+    REQUIRE(r.mine.run_at(500));
+    r.follow(2);
+    r.mine.disable();
+    r.cycle();
+    CHECK(r.drive.state == state::operation_enabled);
+    CHECK((r.mine.targets().controlword & control_bits::halt) != 0);
 }
 
 TEST_CASE("halt sets its bit in profile modes") {
@@ -722,6 +760,10 @@ TEST_CASE("without a velocity an axis stands still if its positions say so") {
     CHECK(r.mine.is_at_standstill());
     r.mine.on_lost();
     CHECK(!r.mine.is_at_standstill());
+    r.cycle(10); // it is back where it was, but was not seen for long enough
+    CHECK(!r.mine.is_at_standstill());
+    r.cycle(20);
+    CHECK(r.mine.is_at_standstill());
     r.drive.feedback.has_position = false;
     r.cycle(100);
     CHECK(!r.mine.is_at_standstill()); // neither is known

@@ -216,6 +216,14 @@ TEST_CASE("a motor has the speed of its model at most") {
     CHECK(r.motor().velocity() == Approx(1000).margin(1));
 }
 
+TEST_CASE("a motor that its load drives has twice that speed at most") {
+    rig r;
+    r.drive = emulated_drive<>{motor_model{.max_speed = 1000}};
+    r.motor().disturbed.load = -1000;
+    for (int i = 0; i != 1000; ++i) r.exchange();
+    CHECK(r.motor().velocity() == 2000);
+}
+
 TEST_CASE("a motor takes a velocity that its torque allows in one cycle, and no more") {
     rig r;
     r.enable_by_hand();
@@ -252,6 +260,15 @@ TEST_CASE("a drive in profile position stands still before its first set-point")
     REQUIRE(r.enable(mode::profile_position));
     r.cycle(3000);
     CHECK(r.values().position_actual == 1000);
+}
+
+TEST_CASE("a drive in profile position takes a set-point once, however long it is offered") {
+    rig r;
+    r.enable_by_hand(mode::profile_position);
+    constexpr auto offered = 0x0F | control_bits::new_set_point | control_bits::relative;
+    r.places.store({.controlword = offered, .mode = mode::profile_position, .position = 1'000}, r.outputs);
+    for (int i = 0; i != 1000; ++i) r.exchange();
+    CHECK(r.motor().position() == Approx(1'000).margin(10));
 }
 
 TEST_CASE("an axis moves the drive to a position, without a jump at its start") {
@@ -468,6 +485,17 @@ TEST_CASE("a drive that leaves OP stops by itself") {
     CHECK(r.motor().state() == state::fault);
     CHECK(r.values().error_code == error_codes::communication);
     CHECK((r.values().statusword & status_bits::remote) == 0);
+}
+
+TEST_CASE("a drive that leaves OP in quick stop active has a fault, too") {
+    rig r;
+    r.turn(50'000);
+    r.values().quick_stop_option = 6; // stays in quick stop active
+    r.send(0x02, mode::cyclic_synchronous_velocity, 100);
+    REQUIRE(r.motor().state() == state::quick_stop_active);
+    r.operational = false;
+    r.exchange();
+    CHECK(r.values().error_code == error_codes::communication);
 }
 
 TEST_CASE("a drive that is not in OP takes no command but the reset of a fault") {

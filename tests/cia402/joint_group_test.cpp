@@ -67,15 +67,19 @@ template <std::size_t Axes = 1> struct arm {
                 each.slave.on_time(link.now);
                 each.drive.work(each.slave, link.now);
             }
-            std::array<bridging::drive_image, joints / Axes> images{};
-            for (std::size_t s = 0; s != images.size(); ++s) {
-                const auto& record = master.slaves()[s];
-                const bool is_current = data->status(record).ran_within(2ms, link.now);
-                images[s] = {data->outputs(record), data->inputs(record),
-                             is_current ? bridging::input_age::current : missing};
-            }
-            group.step(images, link.now);
+            step();
         }
+    }
+    /// Of the group alone.
+    void step() {
+        std::array<bridging::drive_image, joints / Axes> images{};
+        for (std::size_t s = 0; s != images.size(); ++s) {
+            const auto& record = master.slaves()[s];
+            const bool is_current = data->status(record).ran_within(2ms, link.now);
+            images[s] = {data->outputs(record), data->inputs(record),
+                         is_current ? bridging::input_age::current : missing};
+        }
+        group.step(images, link.now);
     }
     bridging::input_age missing{bridging::input_age::lost}; ///< what a drive without an answer is
     template <class Message> joint_errc command(std::uint16_t code, const Message& message) {
@@ -275,6 +279,26 @@ TEST_CASE("a command takes effect in all drives in the same cycle, also in one t
     a.devices[2].connected = false;
     a.cycle(4);
     REQUIRE(a.turn(2.0) == joint_errc::ok);
+    a.cycle();
+    CHECK(a.group.has_targets());
+    for (std::size_t i = 0; i != joints; ++i)
+        CHECK(std::abs(a.group.axis(i).targets().velocity) == Approx(12'000).margin(1));
+}
+
+TEST_CASE("a group has the targets of a command once its axes have moved on towards them") {
+    arm a;
+    a.missing = bridging::input_age::late;
+    a.cycle(5);
+    REQUIRE(a.turn(1.0) == joint_errc::ok);
+    a.cycle(100);
+    if (GENERATE(false, true)) {
+        a.devices[2].connected = false;
+        a.cycle(4);
+    }
+    REQUIRE(a.turn(2.0) == joint_errc::ok);
+    a.step(); // another cycle that ends in this instant
+    CHECK(!a.group.has_targets());
+    CHECK(a.group.is_following());
     a.cycle();
     CHECK(a.group.has_targets());
     for (std::size_t i = 0; i != joints; ++i)

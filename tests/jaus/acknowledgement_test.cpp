@@ -211,6 +211,7 @@ TEST_CASE("messages that cannot be acknowledged, or do not fit, are not sent") {
     REQUIRE(o.commands.send(large, instant{0s}, o.sent.sink()).error().code == send_errc::too_large);
     REQUIRE(o.commands.send(std::span{large}.first(15), instant{0s}, o.sent.sink()).error() ==
             no_message(jaus::errc::truncated));
+    REQUIRE(describe(no_message(jaus::errc::truncated)) == describe(jaus::errc::truncated));
     REQUIRE(o.commands.send(std::span{large}.first(20), instant{0s}, o.sent.sink()).error() ==
             no_message(jaus::errc::wrong_size));
     const auto part = message({.destination = arm_address, .data_flag = jaus::data_flag::first}, jaus::standby{});

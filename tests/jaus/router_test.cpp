@@ -176,6 +176,21 @@ TEST_CASE("a broadcast takes the route to a whole node, not those to its compone
     n.hear(make(1, 3, 33, 1), own, jaus::here).expect(routed::ok, "h8 ");
 }
 
+TEST_CASE("of two routes to the same parts of a subsystem a broadcast takes the wider one") {
+    const bool is_any_node = GENERATE(false, true), is_any_component = GENERATE(false, true),
+               is_any_instance = GENERATE(false, true);
+    const jaus::address narrow = make(4, 3, 33, 1);
+    auto wide = narrow;
+    if (is_any_node) wide.node = 0;
+    if (is_any_component) wide.component = 0;
+    if (is_any_instance) wide.instance = 0;
+    if (wide == narrow) return;
+    node n;
+    REQUIRE(n.table.add_route(narrow, 8) == added::ok);
+    REQUIRE(n.table.add_route(wide, 9) == added::ok);
+    n.hear(make(4, 255, 255, 255), own, jaus::here).expect(routed::ok, "h9 ");
+}
+
 TEST_CASE("a multicast group of one component gets messages to that component only") {
     node n{2};
     REQUIRE(n.table.add_route(make(255, 255, 33, 0), 6) == added::ok);

@@ -77,6 +77,42 @@ TEST_CASE("a message whose header does not encode is not sent") {
     CHECK(sent.error().code == net::errc::invalid_message);
 }
 
+TEST_CASE("a program without a node manager has lost at once what another program's has lost") {
+    simulated_network network;
+    const auto systems = system("ocu", "1.0.0.0", 1001) + system("robot", "2.1.33.0", 1002);
+    simulated_program ocu{network, config("ocu", systems), make(1, 1, 32)};
+    simulated_program robot{network, config("robot", systems), make(2, 1, 33)};
+    auto& now = network.now;
+    ocu.other.ask(5, now, ocu.node.out(now));
+    REQUIRE(network.run(now + 1s, [&] { return robot.core.control().controls(ocu.self); }));
+    network.run(now + 10ms);
+    robot.node.lose(GENERATE(make(1, 1, 32), make(1, 1, 1)), now); // the operator, or its node
+    CHECK_FALSE(robot.core.control().controller());
+    CHECK(robot.node.next_event() == now);
+}
+
+TEST_CASE("a message that cannot be routed is not sent, however large it is") {
+    simulated_pair p;
+    const auto nobody = GENERATE(make(3, 1, 33), make(1, 1, 33)); // no route, no such component of the node
+    const auto sent = p.ocu.node.send({.command_code = 0xD111, .destination = nobody, .source = p.ocu.self},
+                                      bytes(GENERATE(10u, 100'000u)), p.network.now);
+    REQUIRE_FALSE(sent);
+    CHECK(sent.error().code == net::errc::unroutable);
+}
+
+TEST_CASE("an exception of the log handler while a component sends leaves the node's next turn") {
+    simulated_pair p;
+    auto& now = p.network.now;
+    p.robot.on_log = [](std::string_view line) { throw std::runtime_error{std::string{line}}; };
+    std::array<std::byte, jaus::header_size> message{};
+    const auto sent =
+        jaus::join({.command_code = 0xD111, .destination = make(3, 1, 33), .source = p.robot.self}, {}, message);
+    REQUIRE(sent);
+    p.robot.node.out(now)(*sent);
+    CHECK_THROWS_AS(p.robot.node.on_time(now), std::runtime_error);
+    CHECK_NOTHROW(p.robot.node.on_time(now));
+}
+
 TEST_CASE("an event on demand has the time at which it was requested") {
     simulated_pair p;
     auto& now = p.network.now;
@@ -124,6 +160,17 @@ TEST_CASE("a handler that has stopped its node cannot take a component away") {
     CHECK_NOTHROW(p.robot.node.remove(p.robot.self)); // outside of the handler
 }
 
+TEST_CASE("a handler that has stopped its node cannot start it") {
+    simulated_pair p;
+    p.robot.heard = [&](const jaus::header&, std::span<const std::byte>) {
+        p.robot.node.stop();
+        CHECK_THROWS_AS(p.robot.node.start(p.network.now), std::logic_error);
+    };
+    REQUIRE(p.network.run(p.network.now + 2s, [&] { return !p.robot.node.running(); }));
+    p.robot.heard = {};
+    CHECK_NOTHROW(p.robot.node.start(p.network.now)); // outside of the handler
+}
+
 TEST_CASE("time has no effect on a stopped node, also in the handler that has stopped it") {
     simulated_pair p;
     p.robot.heard = [&](const jaus::header&, std::span<const std::byte>) {
@@ -135,6 +182,59 @@ TEST_CASE("time has no effect on a stopped node, also in the handler that has st
     };
     REQUIRE(p.network.run(p.network.now + 2s, [&] { return !p.robot.node.running(); }));
     CHECK_FALSE(p.robot.node.in_turn());
+}
+
+TEST_CASE("a datagram of AS5669-2007 that is refused is told with the reason, each time if it is not its framing") {
+    simulated_pair p;
+    auto heartbeat = support::bytes(0x06, 0x02, 0x02, 0x42, 1, 33, 1, 2, 1, 32, 1, 1, 0, 0, 0, 0);
+    const auto lines_after_two = [&](const simulated_network::endpoint& from, net::verdict expected) {
+        p.robot.log.clear();
+        for (int i = 0; i != 2; ++i)
+            CHECK(p.robot.node.check(heartbeat, from, jaus::framing::judp1, p.network.now) == expected);
+        CHECK(p.robot.logged(describe(expected)));
+        return p.robot.log.size();
+    };
+    CHECK(lines_after_two(p.ocu.at, net::verdict::other_framing) == 1);
+    heartbeat[11] = std::byte{9}; // from a subsystem that is not configured
+    CHECK(lines_after_two({boost::asio::ip::make_address("10.9.9.9"), 1001}, net::verdict::unknown_peer) == 2);
+}
+
+TEST_CASE("a node is identified by its name, or else by that of its system") {
+    const bool has_name = GENERATE(true, false);
+    simulated_network network;
+    const auto systems = system("ocu", "1.0.0.0", 1001) +
+                         system("robot", "2.0.0.0", 1002, has_name ? "<node id='1' name='arm'/>" : "<node id='1'/>");
+    simulated_program ocu{network, config("ocu", systems), make(1, 1, 32)};
+    simulated_program robot{network, config("robot", systems), make(2, 1, 33)};
+    std::string told;
+    ocu.heard = [&](const jaus::header& head, std::span<const std::byte> body) {
+        jaus::report_identification report{};
+        if (head.command_code == jaus::command_code_of<jaus::report_identification> && wire::decode(report, body))
+            told = report.identification;
+    };
+    REQUIRE(ocu.node.send({.destination = make(2, 1), .source = ocu.self},
+                          jaus::query_identification{jaus::query_type::node_identification}, network.now));
+    network.run(network.now + 10ms);
+    CHECK(told == (has_name ? "arm" : "robot"));
+}
+
+TEST_CASE("an event of a node manager's change is sent with the message that changes it") {
+    simulated_pair p;
+    auto& now = p.network.now;
+    unsigned events = 0;
+    p.robot.on_sent = [&](std::span<const std::byte> message) {
+        events += jaus::split(message).header.command_code == jaus::command_code_of<jaus::event>;
+    };
+    const jaus::header head{.destination = make(2, 1), .source = p.ocu.self};
+    REQUIRE(p.ocu.node.send(head,
+                            jaus::create_event{.message_code = jaus::command_code_of<jaus::report_component_status>,
+                                               .event_type = jaus::event_type::every_change},
+                            now));
+    p.network.run(now + 100ms);
+    events = 0;
+    REQUIRE(p.ocu.node.send(head, jaus::standby{}, now));
+    p.network.run(now + 1ms);
+    CHECK(events == 1);
 }
 
 TEST_CASE("events of a node manager's status end with the loss of their consumer") {

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -99,8 +100,8 @@ template <std::size_t Joints> class joint_group {
         const auto limited = translated(*mode, body, wanted);
         if (!limited)
             return limited.error() == translate::errc::wrong_size ? joint_errc::wrong_count : joint_errc::malformed;
+        forget_command();
         pending_ = wanted;
-        in_force_ = false;
         for (auto& each : axes_) {
             each.halt(false);
             each.set_mode(*mode);
@@ -133,16 +134,16 @@ template <std::size_t Joints> class joint_group {
 
     /// One cycle: inputs in, targets out, for all drives.
     constexpr void step(std::span<const drive_image> drives, time_point now) noexcept {
-        const bool is_new = pending_ && are_all(cia402::axis_state::enabled);
-        if (is_new) apply();
+        if (pending_ && are_all(cia402::axis_state::enabled)) apply();
         for (std::size_t i = 0; i != Joints; ++i) {
             const drive_image drive = slaves_[i] < drives.size() ? drives[slaves_[i]] : drive_image{};
             // Its outputs keep what they have, but all get a new command's targets in the same cycle.
-            if (drive.age == input_age::late && !is_new && (pending_ || in_force_)) continue;
+            if (drive.age == input_age::late && !is_new_[i] && (pending_ || in_force_)) continue;
             if (drive.age != input_age::lost && places_[i].statusword.fits(drive.inputs.size())) {
                 auto feedback = places_[i].load(drive.inputs);
                 feedback.is_current = drive.age == input_age::current;
                 axes_[i].on_cycle(feedback, now);
+                if (axes_[i].has_moved_on()) is_new_[i] = false;
             } else {
                 axes_[i].on_lost();
             }
@@ -161,9 +162,13 @@ template <std::size_t Joints> class joint_group {
         if (pending_) return starting;
         return in_force_ ? moving : at_rest;
     }
+    /// A command is in force, and all axes follow their targets.
+    [[nodiscard]] constexpr bool is_following() const noexcept {
+        return state() == joint_group_state::moving && are_all(cia402::axis_state::enabled);
+    }
     /// The outputs of the last step have the targets of the command in force, for all drives.
     [[nodiscard]] constexpr bool has_targets() const noexcept {
-        return state() == joint_group_state::moving && are_all(cia402::axis_state::enabled);
+        return is_following() && std::ranges::none_of(is_new_, std::identity{});
     }
     /// The drive of a joint has left operation enabled and stands still: what `stop` and `emergency` lead to. Not known
     /// of a drive that is lost.
@@ -221,6 +226,7 @@ template <std::size_t Joints> class joint_group {
     constexpr void forget_command() noexcept {
         pending_.reset();
         in_force_ = false;
+        is_new_.fill(false);
     }
 
     [[nodiscard]] constexpr result<translate::axis_bits, translate::errc>
@@ -250,6 +256,7 @@ template <std::size_t Joints> class joint_group {
         }
         pending_.reset();
         in_force_ = true;
+        is_new_.fill(true);
     }
     template <class Table>
     [[nodiscard]] constexpr result<std::span<std::byte>, translate::errc>
@@ -270,6 +277,7 @@ template <std::size_t Joints> class joint_group {
     std::array<translation::joint_scale, Joints> scales_{};
     std::optional<targets> pending_{};
     bool in_force_{};
+    std::array<bool, Joints> is_new_{}; // the outputs of the axis do not have its targets yet
     bool is_emergency_{};
 };
 

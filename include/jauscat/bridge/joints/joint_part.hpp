@@ -266,14 +266,14 @@ template <std::size_t Joints> class joint_part final : public process_part {
     /// An order is executed when inputs are later than its delivery to all drives, also where the next one has replaced
     /// it in the outputs since then.
     void advance(slave_group slaves, time_point now) noexcept {
-        if (!is_stop_ && !group_.has_targets()) {
+        if (!is_stop_ && !group_.is_following()) {
             in_outputs_.number = delivered_.number = answered_;
             return;
         }
         if (delivered_.number != answered_ && have_run_since(slaves, delivered_.since)) answered_ = delivered_.number;
         if (in_outputs_.number != delivered_.number && have_run_since(slaves, in_outputs_.since))
             delivered_ = {in_outputs_.number, now};
-        if (number_ != in_outputs_.number) in_outputs_ = {number_, now};
+        if (number_ != in_outputs_.number && (is_stop_ || group_.has_targets())) in_outputs_ = {number_, now};
     }
     void forget_progress() noexcept { in_outputs_.number = delivered_.number = answered_ = executed_ = number_; }
     /// A frame sent after `then` has returned and found all drives running that are not lost.

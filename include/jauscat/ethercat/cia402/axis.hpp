@@ -190,6 +190,8 @@ class axis {
 
     /// One cycle with current feedback: the targets for the next outputs.
     JAUSCAT_CONSTEXPR const axis_targets& on_cycle(const axis_feedback& feedback, time_point now) noexcept;
+    /// The last `on_cycle` has moved the set-points on: not one that came less than half a cycle after another.
+    [[nodiscard]] constexpr bool has_moved_on() const noexcept { return step_ > 0; }
     /// One cycle without current feedback: the axis has failed, and its outputs request the quick stop.
     JAUSCAT_CONSTEXPR const axis_targets& on_lost() noexcept;
 
