@@ -265,10 +265,12 @@ TEST_CASE("a drive in profile position stands still before its first set-point")
 TEST_CASE("a drive in profile position takes a set-point once, however long it is offered") {
     rig r;
     r.enable_by_hand(mode::profile_position);
-    constexpr auto offered = 0x0F | control_bits::new_set_point | control_bits::relative;
+    const auto offered = static_cast<std::uint16_t>(0x0F | control_bits::new_set_point |
+                                                    GENERATE(std::uint16_t{0}, control_bits::relative));
     r.places.store({.controlword = offered, .mode = mode::profile_position, .position = 1'000}, r.outputs);
     for (int i = 0; i != 1000; ++i) r.exchange();
     CHECK(r.motor().position() == Approx(1'000).margin(10));
+    CHECK(r.values().position_demand == 1'000);
 }
 
 TEST_CASE("an axis moves the drive to a position, without a jump at its start") {

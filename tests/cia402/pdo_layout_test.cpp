@@ -92,6 +92,7 @@ TEST_CASE("the object that a mode lacks is named") {
     auto places = places_of(outputs, inputs);
     REQUIRE(places.missing_for(mode::cyclic_synchronous_position) != nullptr);
     CHECK(places.missing_for(mode::cyclic_synchronous_position)->index == 0x6060);
+    CHECK(axis_places{}.missing_for(mode::cyclic_synchronous_position) == &objects::controlword);
     places.fixed_mode = mode::cyclic_synchronous_position;
     CHECK(places.missing_for(mode::cyclic_synchronous_position) == nullptr);
     CHECK(places.load(filled<6>(0)).mode == mode::cyclic_synchronous_position);

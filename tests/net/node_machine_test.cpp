@@ -218,6 +218,24 @@ TEST_CASE("a node is identified by its name, or else by that of its system") {
     CHECK(told == (has_name ? "arm" : "robot"));
 }
 
+TEST_CASE("a node lists its own components, not those of a node with its number in another subsystem") {
+    simulated_network network;
+    const auto systems = system("ocu", "1.1.0.0", 1001, "<component id='44'/>") +
+                         system("robot", "2.1.0.0", 1002, "<component id='45'/>");
+    simulated_program ocu{network, config("ocu", systems), make(1, 1, 32)};
+    simulated_program robot{network, config("robot", systems), make(2, 1, 33)};
+    std::vector<unsigned> listed;
+    ocu.heard = [&](const jaus::header& head, std::span<const std::byte> body) {
+        if (head.command_code != jaus::command_code_of<jaus::report_configuration>) return;
+        for (std::size_t i = 3; i < body.size(); i += 2) listed.push_back(std::to_integer<unsigned>(body[i]));
+    };
+    REQUIRE(ocu.node.send({.destination = make(2, 1), .source = ocu.self},
+                          jaus::query_configuration{jaus::query_field::node_configuration}, network.now));
+    network.run(network.now + 10ms);
+    std::ranges::sort(listed);
+    CHECK(listed == std::vector{1U, 33U, 45U});
+}
+
 TEST_CASE("an event of a node manager's change is sent with the message that changes it") {
     simulated_pair p;
     auto& now = p.network.now;
