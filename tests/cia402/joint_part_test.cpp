@@ -11,6 +11,7 @@ using jauscat::test::joint_device;
 namespace {
 
 constexpr std::size_t joints = 6;
+using set_positions = jaus::basic_set_joint_positions<joints>;
 using set_velocities = jaus::basic_set_joint_velocities<joints>;
 using report_velocities = jaus::basic_report_joint_velocities<joints>;
 
@@ -302,6 +303,27 @@ TEST_CASE("a drive's fault is the component's failure, until it is reset") {
     d.run_until([&] { return d.watcher.ended_faults == 1; }, 2s);
     d.run_until([&] { return d.unit().state() != primary_status_code::failure; }, 2s);
     CHECK(d.all_at_rest());
+}
+
+TEST_CASE("a drive that no longer follows its target brings all joints to rest, and the component says so") {
+    drives d;
+    set_positions far{};
+    for (std::size_t i = 0; i != joints; ++i) static_cast<void>(far.joint_position.push_back(3.0));
+    const auto number = d.tell(far);
+    d.run_until([&] { return d.answer(number) == jaus::ack_nak::ack; });
+    d.run(50ms);
+    REQUIRE(!d.all_at_rest());
+    d.motor(2).disturbed.holds = true;
+    d.run_until([&] { return !d.watcher.faults.empty(); }, 10ms);
+    CHECK(d.watcher.faults.front().slave == 2);
+    CHECK(d.watcher.faults.front().reason == "the drive no longer follows its target");
+    CHECK(d.unit().state() == primary_status_code::failure);
+    d.motor(2).disturbed.holds = false;
+    d.run(200ms);
+    CHECK(d.all_at_rest());
+    CHECK(d.watcher.ended_faults == 1);
+    CHECK(d.unit().state() == primary_status_code::ready);
+    CHECK(d.watcher.lost == 0);
 }
 
 TEST_CASE("drives that are silent for less than their time-out move on") {

@@ -148,7 +148,10 @@ template <std::size_t Joints> class joint_group {
                 axes_[i].on_lost();
             }
         }
-        if (has_failed() && !is_emergency_) stop();
+        without_target_.reset();
+        for (std::size_t i = 0; i != Joints && in_force_ && !without_target_; ++i)
+            if (axes_[i].state() == cia402::axis_state::enabling) without_target_ = i;
+        if ((has_failed() || without_target_) && !is_emergency_) stop();
         for (std::size_t i = 0; i != Joints; ++i)
             if (slaves_[i] < drives.size()) places_[i].store(axes_[i].targets(), drives[slaves_[i]].outputs);
     }
@@ -183,6 +186,9 @@ template <std::size_t Joints> class joint_group {
             if (!is_at_rest(i)) return false;
         return true;
     }
+    /// In the last step the drive of this joint did not follow the command in force any more, or showed another mode:
+    /// all axes come to rest by ramp.
+    [[nodiscard]] constexpr std::optional<std::size_t> joint_without_target() const noexcept { return without_target_; }
     /// The first axis that has failed.
     [[nodiscard]] constexpr std::optional<std::size_t> failed_joint() const noexcept {
         for (std::size_t i = 0; i != Joints; ++i)
@@ -276,6 +282,7 @@ template <std::size_t Joints> class joint_group {
     std::array<std::size_t, Joints> slaves_{};
     std::array<translation::joint_scale, Joints> scales_{};
     std::optional<targets> pending_{};
+    std::optional<std::size_t> without_target_{};
     bool in_force_{};
     std::array<bool, Joints> is_new_{}; // the outputs of the axis do not have its targets yet
     bool is_emergency_{};

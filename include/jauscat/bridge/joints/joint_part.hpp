@@ -163,6 +163,8 @@ template <std::size_t Joints> class joint_part final : public process_part {
         if (!is_stop_ || (answered_ == number_ && is_at_rest(slaves))) executed_ = answered_;
         for (std::size_t i = 0; i != Joints; ++i)
             if (const auto fault = fault_of(i)) return fault;
+        if (const auto joint = group_.joint_without_target())
+            return drive_fault{joints_[*joint].slave, 0, "the drive no longer follows its target"};
         return std::nullopt;
     }
     [[nodiscard]] std::size_t faults(std::span<drive_fault> out) const override {

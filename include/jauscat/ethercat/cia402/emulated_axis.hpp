@@ -32,6 +32,7 @@ struct disturbance {
     bool no_voltage{};                      ///< the supply of the power stage is off
     bool blocked{};                         ///< the shaft does not turn
     bool warning{};                         ///< bit 7
+    bool holds{};                           ///< bit 12 is 0: it does not follow its target position
     double load{};                          ///< torque against the motor, per mille of the rated torque
     std::optional<cia402::state> refused{}; ///< a state that the drive does not enter
 };

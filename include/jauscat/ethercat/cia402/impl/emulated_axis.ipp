@@ -167,6 +167,7 @@ JAUSCAT_CONSTEXPR void emulated_axis::drive(double seconds) noexcept {
                                .deceleration = static_cast<double>(values.profile_deceleration)};
     switch (active_mode()) {
     case mode::cyclic_synchronous_position: {
+        if (disturbed.holds) return follow_position(demand_, seconds);
         const double target = within_limits(static_cast<double>(values.target_position) + values.position_offset);
         const double part = interpolation_left_ > seconds ? seconds / interpolation_left_ : 1;
         interpolation_left_ = std::max(0.0, interpolation_left_ - seconds);
@@ -311,7 +312,7 @@ JAUSCAT_CONSTEXPR unsigned emulated_axis::mode_bits() const noexcept {
     case mode::cyclic_synchronous_position:
     case mode::cyclic_synchronous_velocity:
     case mode::cyclic_synchronous_torque:
-        return when(!leaves_to_ && !halts, status_bits::follows_target) |
+        return when(!leaves_to_ && !halts && !(disturbed.holds && is_cyclic_position()), status_bits::follows_target) |
                when(is_behind_, status_bits::following_error);
     case mode::profile_position:
         return when(halts ? rests : is_reached() && !next_set_point_, status_bits::target_reached) |
