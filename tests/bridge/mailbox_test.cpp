@@ -568,13 +568,38 @@ TEST_CASE("an emergency of a slave is detected without a message to that slave")
     CHECK(r.watcher.lost == 0);
 }
 
+namespace {
+/// Heartbeats that a slave gets in a second.
+auto beats_of(rig& r, std::size_t i) {
+    r.motor(i).executed.clear();
+    r.run(1s);
+    return std::ranges::count(r.motor(i).executed, jaus::command_code_of<jaus::report_heartbeat_pulse>);
+}
+} // namespace
+
 TEST_CASE("a slave without messages gets heartbeats") {
     rig r{rig::ready{}};
-    r.motor().executed.clear();
-    r.run(1s);
-    const auto beats = std::ranges::count(r.motor().executed, jaus::command_code_of<jaus::report_heartbeat_pulse>);
+    const auto beats = beats_of(r, 0);
     CHECK(beats >= 8);
     CHECK(beats <= 11);
+}
+
+TEST_CASE("a slave that is added in place of one that has refused heartbeats gets them") {
+    rig r{2};
+    r.run_until_ready();
+    r.motor(1).abort_code_of = jaus::command_code_of<jaus::report_heartbeat_pulse>;
+    r.motor(1).aborts = 1;
+    r.run_until([&] { return r.motor(1).aborts == 0; });
+    CHECK(beats_of(r, 1) == 0);
+    r.bus.remove(r.fronts[1], r.now);
+    bridging::order_memory<16, 1532> memory;
+    bridging::slave_front front{r.fronts[1].options(), r.exchanges[1], r.options, memory, r.watcher.observer()};
+    REQUIRE(r.bus.add(front));
+    const auto& unit = r.units.emplace_back(rig::unit_address(1), front, r.core_options);
+    r.run_until([&] { return unit.state() == jaus::primary_status_code::ready && unit.stops().settled(); });
+    CHECK(beats_of(r, 1) >= 8);
+    r.bus.remove(front, r.now);
+    r.units.pop_back();
 }
 
 namespace {
