@@ -92,6 +92,7 @@ void drive_unit::look(time now) {
         const auto velocity = static_cast<std::int32_t>(std::lround(axis(i).velocity()));
         if (one.count == 0 || one.velocities[(one.count - 1) % one.velocities.size()].second != velocity)
             one.velocities[one.count++ % one.velocities.size()] = {now, velocity};
+        if (axis(i).values.target_velocity == 0) one.told_to_rest_at = now;
         const auto command = command_of(i);
         if (command == one.command) continue;
         one.command = command;

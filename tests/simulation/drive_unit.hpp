@@ -26,6 +26,10 @@ class drive_unit : public device {
     [[nodiscard]] virtual bool has_fault() const noexcept = 0;
     /// Whether an axis has had this velocity, in its units, at some instant since then.
     [[nodiscard]] bool had_velocity(std::size_t axis, double velocity, time since) const noexcept;
+    /// Whether the target of an axis has been 0 at some instant since then.
+    [[nodiscard]] bool was_told_to_rest(std::size_t axis, time since) const noexcept {
+        return seen_[axis].told_to_rest_at >= since;
+    }
 
   protected:
     /// `first_joint`: the number of its first axis in the arm.
@@ -38,6 +42,7 @@ class drive_unit : public device {
   private:
     struct seen {
         command_number command{};
+        time told_to_rest_at{};
         std::array<std::pair<time, std::int32_t>, 256> velocities{};
         std::size_t count{};
     };

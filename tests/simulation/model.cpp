@@ -326,11 +326,12 @@ const arm_unit* model::arm_of(const actuator_account& a) {
     return a.wire == nullptr ? nullptr : (*a.wire)[a.axes.front().slave].arm;
 }
 
-// Its drives have the target 0, and slow down.
-bool model::is_told_to_rest(const actuator_account& a) {
+// Its drives have, or had, the target 0, and slow down.
+bool model::was_told_to_rest(const actuator_account& a, time since) {
     return !a.axes.empty() && std::ranges::all_of(a.axes, [&](const axis_account& each) {
         auto* const drive = (*a.wire)[each.slave].drive;
-        return drive != nullptr && drive->axis(each.axis).values.target_velocity == 0;
+        return drive != nullptr &&
+               (drive->axis(each.axis).values.target_velocity == 0 || drive->was_told_to_rest(each.axis, since));
     });
 }
 
@@ -338,7 +339,7 @@ bool model::has_effect(const actuator_account& a, const sent_message& sent) cons
     const bool has_rested = a.rest_seen_at >= sent.arrived_at;
     switch (sent.code) {
     case jaus::command_code_of<jaus::set_joint_velocities>:
-        return sent.command == 0 && (has_rested || is_told_to_rest(a));
+        return sent.command == 0 && (has_rested || was_told_to_rest(a, sent.arrived_at));
     case jaus::command_code_of<jaus::set_wrench_effort>: return sent.command == 0 && has_rested;
     case jaus::command_code_of<jaus::set_emergency>: {
         // One that has restarted unseen does not know of its emergency any more.

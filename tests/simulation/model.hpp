@@ -233,7 +233,7 @@ class model {
     [[nodiscard]] bool has_address_of_another(const actuator_account& a) const;
     void obeys(actuator_account& a, const sent_message* sent, command_number command);
     [[nodiscard]] static const arm_unit* arm_of(const actuator_account& a);
-    [[nodiscard]] static bool is_told_to_rest(const actuator_account& a);
+    [[nodiscard]] static bool was_told_to_rest(const actuator_account& a, time since);
     [[nodiscard]] static bool any_slave(const actuator_account& a, auto&& is) {
         return std::ranges::any_of(a.axes, [&](const axis_account& each) { return is((*a.wire)[each.slave]); });
     }
