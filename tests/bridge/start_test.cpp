@@ -59,6 +59,15 @@ TEST_CASE("slaves behind a cable that was out return at once, and are at rest") 
     CHECK(r.motor(31).effort == 0);
 }
 
+TEST_CASE("a ring has as many slaves as it has places for") {
+    rig r{2};
+    bridging::ring_for<1, 1024> small{r.options};
+    CHECK(small.add(r.fronts[0]));
+    CHECK_FALSE(small.add(r.fronts[1]));
+    small.remove(r.fronts[0], r.now);
+    CHECK(small.add(r.fronts[1]));
+}
+
 TEST_CASE("a slave that does not change its state holds the others up once, not at each attempt") {
     const bool cyclic = GENERATE(false, true);
     rig r{4, cyclic};

@@ -479,6 +479,12 @@ TEST_CASE("halt sets its bit in profile modes") {
     r.mine.halt(true);
     r.cycle();
     CHECK((r.mine.targets().controlword & control_bits::halt) != 0);
+    r.mine.set_mode(mode::homing);
+    r.cycle(6);
+    CHECK((r.mine.targets().controlword & control_bits::halt) != 0);
+    r.mine.halt(false);
+    r.cycle();
+    CHECK((r.mine.targets().controlword & control_bits::halt) == 0);
 }
 
 TEST_CASE("a fault is reported with its code and reset by the edge of its bit") {

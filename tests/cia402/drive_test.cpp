@@ -6,6 +6,7 @@
 #include <jauscat/ethercat/slave/assignable_pdos.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -149,6 +150,7 @@ TEST_CASE("the quick stop option decides how the drive stops and whether it stay
     r.turn(50'000);
     r.values().quick_stop_option = 6;
     r.send(0x02, mode::cyclic_synchronous_velocity, 100);
+    CHECK(r.values().position_demand == r.values().position_actual);
     r.send(0x0F);
     CHECK(r.motor().state() == state::operation_enabled); // transition 16
 }
@@ -224,6 +226,16 @@ TEST_CASE("a motor that its load drives has twice that speed at most") {
     CHECK(r.motor().velocity() == 2000);
 }
 
+TEST_CASE("a drive shows that its torque is limited") {
+    rig r;
+    r.enable_by_hand();
+    CHECK((r.values().statusword & status_bits::internal_limit) == 0);
+    r.values().max_torque = 1;
+    r.places.store({.controlword = 0x0F, .mode = mode::cyclic_synchronous_velocity, .velocity = 50'000}, r.outputs);
+    r.exchange();
+    CHECK((r.values().statusword & status_bits::internal_limit) != 0);
+}
+
 TEST_CASE("a motor takes a velocity that its torque allows in one cycle, and no more") {
     rig r;
     r.enable_by_hand();
@@ -271,6 +283,26 @@ TEST_CASE("a drive in profile position takes a set-point once, however long it i
     for (int i = 0; i != 1000; ++i) r.exchange();
     CHECK(r.motor().position() == Approx(1'000).margin(10));
     CHECK(r.values().position_demand == 1'000);
+}
+
+TEST_CASE("a drive in profile position keeps one set-point for later, and takes no other one until then") {
+    rig r;
+    r.enable_by_hand(mode::profile_position);
+    const auto show = [&r](std::uint16_t word, std::int32_t position, int cycles) {
+        r.places.store({.controlword = word, .mode = mode::profile_position, .position = position}, r.outputs);
+        for (int i = 0; i != cycles; ++i) r.exchange();
+    };
+    for (const std::int32_t each : {1'000, -1'000}) {
+        show(0x1F, each, 2);
+        show(0x0F, each, 2);
+    }
+    double lowest = 0;
+    for (int i = 0; i != 3000; ++i) {
+        show(0x1F, 2'000, 1);
+        lowest = std::min(lowest, r.motor().position());
+    }
+    CHECK(lowest < -900);
+    CHECK(r.motor().position() == Approx(2'000).margin(10));
 }
 
 TEST_CASE("an axis moves the drive to a position, without a jump at its start") {
@@ -396,6 +428,9 @@ TEST_CASE("the result of a homing stands until the next one, its error until its
     r.enable_by_hand(mode::homing);
     CHECK(bits(0x0F) == status_bits::target_reached); // at rest
     CHECK(bits(0x1F) == done);
+    r.values().home_offset = 50; // of the next one
+    CHECK(bits(0x1F) == done);
+    CHECK(r.motor().position() == Approx(0).margin(1));
     CHECK(bits(0x0F) == done);
     r.values().homing_method = 1; // no switch
     CHECK(bits(0x1F) == failed);

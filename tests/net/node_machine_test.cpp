@@ -91,6 +91,31 @@ TEST_CASE("a program without a node manager has lost at once what another progra
     CHECK(robot.node.next_event() == now);
 }
 
+TEST_CASE("what is sent between two turns counts from the time that was given") {
+    simulated_pair p;
+    const auto later = p.network.now + 5s;
+    std::array<std::byte, jaus::header_size> message{};
+    const auto sent =
+        jaus::join({.command_code = 0xD111, .destination = p.ocu.self, .source = p.robot.self}, {}, message);
+    REQUIRE(sent);
+    p.robot.node.out(later)(*sent);
+    CHECK(p.robot.node.next_event() == later);
+}
+
+TEST_CASE("a stopped node takes no message") {
+    simulated_pair p;
+    const auto heartbeat = support::bytes(0x06, 0x02, 0x02, 0x42, 1, 33, 1, 2, 1, 32, 1, 1, 0, 0, 0, 0);
+    unsigned heard = 0;
+    p.robot.heard = [&](const jaus::header&, std::span<const std::byte>) { ++heard; };
+    const auto take = [&] {
+        p.robot.node.received(heartbeat, p.ocu.at, jaus::framing::bare, false, p.network.now, {});
+        return std::exchange(heard, 0U);
+    };
+    CHECK(take() == 1);
+    p.robot.node.stop();
+    CHECK(take() == 0);
+}
+
 TEST_CASE("a message that cannot be routed is not sent, however large it is") {
     simulated_pair p;
     const auto nobody = GENERATE(make(3, 1, 33), make(1, 1, 33)); // no route, no such component of the node
@@ -218,15 +243,18 @@ TEST_CASE("a node is identified by its name, or else by that of its system") {
     CHECK(told == (has_name ? "arm" : "robot"));
 }
 
-TEST_CASE("a node lists its own components, not those of a node with its number in another subsystem") {
+TEST_CASE("a node lists its own components, not those of other nodes") {
     simulated_network network;
-    const auto systems = system("ocu", "1.1.0.0", 1001, "<component id='44'/>") +
-                         system("robot", "2.1.0.0", 1002, "<component id='45'/>");
-    simulated_program ocu{network, config("ocu", systems), make(1, 1, 32)};
+    const auto other = GENERATE(make(1, 1, 32), make(2, 3, 32)); // another subsystem, another node
+    const auto systems =
+        system("ocu", net::to_jausip(make(other.subsystem, other.node, 0, 0)), 1001, "<component id='44'/>") +
+        system("robot", "2.1.0.0", 1002, "<component id='45'/>");
+    simulated_program ocu{network, config("ocu", systems), other};
     simulated_program robot{network, config("robot", systems), make(2, 1, 33)};
     std::vector<unsigned> listed;
     ocu.heard = [&](const jaus::header& head, std::span<const std::byte> body) {
         if (head.command_code != jaus::command_code_of<jaus::report_configuration>) return;
+        listed.clear();
         for (std::size_t i = 3; i < body.size(); i += 2) listed.push_back(std::to_integer<unsigned>(body[i]));
     };
     REQUIRE(ocu.node.send({.destination = make(2, 1), .source = ocu.self},

@@ -82,6 +82,7 @@ void direct_user::done(ethercat::master& idle) {
                  .why = is_answered    ? "is answered"
                         : is_given_up_ ? "is given up"
                                        : "has failed"});
+    if (!is_answered) wire_.note_given_up(open_->slave);
     if (is_answered && open_->is_identity)
         check_serial(idle.result<ethercat::upload>().value_or(std::span<std::byte>{}));
     else if (is_answered && open_->is_upload)

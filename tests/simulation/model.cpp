@@ -896,7 +896,7 @@ void model::check_cause(const actuator_account& a, const char* of) {
     // The process data are exchanged anew without a slave that leaves OP, a cycle later for all others.
     for (std::size_t i = 0; i != a.wire->size(); ++i) last = std::max(last, (*a.wire)[i].left_at);
     const bool is_hurt = any_slave(a, [&](const ring_place& each) {
-        last = std::max(last, each.shared_at);
+        last = std::max({last, each.shared_at, each.held_up_at});
         return each.frozen || each.away || each.state_is_unknown || each.has_drive_fault || each.reports_error ||
                each.keeps_watchdog || each.unreachable_since || each.taken_since || each.left_state_since ||
                (each.drive != nullptr && each.drive->has_fault());

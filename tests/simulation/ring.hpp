@@ -91,6 +91,7 @@ struct ring_place {
     time mailbox_written_at{};       ///< when it has last got a message
     time left_at{};                  ///< when it has last left a state in which it works
     time shared_at{};                ///< when another slave has got its station address
+    time held_up_at{};               ///< when a transfer to it was given up, whose rest its slow mailbox works off
     time watchdog{};                 ///< when it went to OP; 0: it has none
     std::uint8_t recount{};          ///< added to the mailbox counter of its new messages
     std::array<std::byte, 16> last_reply{};
@@ -129,6 +130,10 @@ class ring final : public actor {
     [[nodiscard]] bool is_rough() const noexcept { return is_rough_; }
     [[nodiscard]] std::size_t size() const noexcept { return places_.size(); }
     [[nodiscard]] const ring_place& operator[](std::size_t i) const noexcept { return places_[i]; }
+    /// A transfer to it was given up.
+    void note_given_up(std::size_t i) noexcept {
+        if (places_[i].slow != time{}) places_[i].held_up_at = world_.now();
+    }
     /// Whatever is wrong with a slave for longest; nothing where it can be commanded, and stops by itself if it is not.
     [[nodiscard]] std::optional<trouble> trouble_of(std::size_t i) const;
     /// Frames lost, delayed, doubled or damaged: when the last one was, and how many of the last 64.
