@@ -893,8 +893,12 @@ void model::check_cause(const actuator_account& a, const char* of) {
     if (a.wire == nullptr) return;
     world_.compares(comparison::kept_in_use);
     time last = a.program->running() ? last_disturbance(a) : world_.now();
-    // The process data are exchanged anew without a slave that leaves OP, a cycle later for all others.
-    for (std::size_t i = 0; i != a.wire->size(); ++i) last = std::max(last, (*a.wire)[i].left_at);
+    // The process data are exchanged anew without a slave that leaves OP or has lost its station address, a cycle later
+    // for all others.
+    for (std::size_t i = 0; i != a.wire->size(); ++i) {
+        const auto& other = (*a.wire)[i];
+        last = std::max({last, other.left_at, other.taken_since.value_or(time{})});
+    }
     const bool is_hurt = any_slave(a, [&](const ring_place& each) {
         last = std::max({last, each.shared_at, each.held_up_at});
         return each.frozen || each.away || each.state_is_unknown || each.has_drive_fault || each.reports_error ||
