@@ -137,6 +137,33 @@ TEST_CASE("messages to a slave pass between the reads of an application that rea
     CHECK(s.r.watcher.lost == 0);
 }
 
+TEST_CASE("a read of an application that its slave does not answer is cancelled for a stop order to that slave") {
+    rig r{rig::driving{50}};
+    struct one_read {
+        bool is_wanted{true};
+        std::array<std::byte, 64> name{};
+        std::optional<ethercat::master_error> ended{};
+
+        bool begin(ethercat::master& idle) {
+            return std::exchange(is_wanted, false) && idle.start(ethercat::upload{2, 0x1008, 0, name});
+        }
+        void done(ethercat::master& idle) { ended = idle.error(); }
+        void cycle() {}
+    } read;
+    r.actuators[0].hangs = true;
+    r.bus.share({.begin = jaus::bound<&one_read::begin>(read),
+                 .done = jaus::bound<&one_read::done>(read),
+                 .cycle = jaus::bound<&one_read::cycle>(read)});
+    r.run(1ms);
+    REQUIRE(!read.is_wanted);
+    const auto number = r.tell(rig::stop());
+    CHECK(r.run_until([&] { return read.ended.has_value(); }) <= r.options.stop_timeout + 1ms);
+    CHECK(read.ended->code == ethercat::master_errc::timeout);
+    r.actuators[0].hangs = false;
+    r.run_until_acknowledged(number, 100ms);
+    CHECK(r.motor().emergency);
+}
+
 TEST_CASE("a slave whose application hangs while it is brought up does not delay messages to others") {
     rig r{3};
     r.actuators[1].hangs = true;

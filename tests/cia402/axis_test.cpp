@@ -184,6 +184,7 @@ TEST_CASE("a cyclic position moves within the limits and ends exactly") {
     const auto within = r.mine.move_to(-500);
     REQUIRE(within);
     CHECK(*within == acceptance::exact);
+    CHECK(!r.mine.is_target_reached()); // also before it moves
 }
 
 TEST_CASE("a cyclic velocity follows a ramp, and stops before a position limit") {
@@ -442,6 +443,32 @@ TEST_CASE("halt brings the axis to rest and keeps it enabled") {
     r.mine.halt(false);
     r.follow(60);
     CHECK(r.mine.targets().velocity == 0);
+}
+
+TEST_CASE("an axis that is halted on its way has reached its target once it stands still") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_position));
+    REQUIRE(r.mine.move_to(100'000));
+    r.follow(60);
+    r.mine.halt(true);
+    r.follow(1);
+    CHECK(r.mine.targets().velocity > 0);
+    CHECK(!r.mine.is_target_reached());
+    r.follow(200);
+    CHECK(r.mine.targets().velocity == 0);
+    CHECK(r.mine.is_target_reached());
+}
+
+TEST_CASE("set-points are rounded to the nearest unit, in both directions") {
+    auto options = slow;
+    options.acceleration = 700; // 0.7 in the first cycle
+    for (const int direction : {1, -1}) {
+        rig r{options};
+        REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+        REQUIRE(r.mine.run_at(100 * direction));
+        r.cycle();
+        CHECK(r.mine.targets().velocity == direction);
+    }
 }
 
 TEST_CASE("after a halt an axis pushes with nothing until it is told to") {

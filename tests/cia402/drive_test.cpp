@@ -126,6 +126,21 @@ TEST_CASE("a fault passes through its reaction, and is reset by an edge once its
     CHECK(r.values().error_code == 0);
 }
 
+TEST_CASE("a drive that fails on its ramp to another state stays in its fault") {
+    rig r;
+    r.turn(50'000);
+    r.send(0x07);
+    REQUIRE(r.motor().state() == state::operation_enabled); // until it stands still
+    r.motor().disturbed.fault = error_codes::over_temperature;
+    r.exchange();
+    r.motor().disturbed.fault = 0;
+    r.cycles_in(state::fault_reaction_active);
+    for (int i = 0; i != 100; ++i) {
+        r.exchange();
+        REQUIRE(r.motor().state() == state::fault);
+    }
+}
+
 TEST_CASE("the quick stop option decides how the drive stops and whether it stays") {
     const auto stop = [](std::int16_t option) {
         rig r;
@@ -272,6 +287,13 @@ TEST_CASE("a drive in profile position stands still before its first set-point")
     REQUIRE(r.enable(mode::profile_position));
     r.cycle(3000);
     CHECK(r.values().position_actual == 1000);
+}
+
+TEST_CASE("a drive in profile position has not reached a target before its first set-point") {
+    rig r;
+    r.enable_by_hand(mode::profile_position);
+    for (int i = 0; i != 100; ++i) r.exchange();
+    CHECK((r.values().statusword & status_bits::target_reached) == 0);
 }
 
 TEST_CASE("a drive in profile position takes a set-point once, however long it is offered") {
@@ -509,6 +531,13 @@ TEST_CASE("software limits hold in every mode") {
     r.cycle(200);
     CHECK(r.values().position_actual < -900);
     CHECK(r.values().position_actual > -1400);
+    CHECK(r.values().velocity_actual == 0);
+    REQUIRE(r.mine.run_at(50'000)); // and back
+    r.cycle(80);
+    CHECK(r.values().velocity_actual > 10'000);
+    r.cycle(200);
+    CHECK(r.values().position_actual > 900);
+    CHECK(r.values().position_actual < 1400);
     CHECK(r.values().velocity_actual == 0);
 }
 

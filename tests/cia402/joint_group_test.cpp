@@ -270,27 +270,36 @@ TEST_CASE("a drive that is late keeps its targets, and goes on to rest if it is 
     }
 }
 
+namespace {
+/// Its joints turn at 1 rad/s, 10,000 increments/s, and a drive without an answer is late.
+struct turning_arm : arm<> {
+    turning_arm() {
+        missing = bridging::input_age::late;
+        cycle(5);
+        REQUIRE(turn(1.0) == joint_errc::ok);
+        cycle(100);
+    }
+    /// Each drive has its targets of the first cycle towards a higher velocity.
+    [[nodiscard]] bool is_faster_in_all_drives() const {
+        for (std::size_t i = 0; i != joints; ++i)
+            if (std::abs(std::abs(group.axis(i).targets().velocity) - 12'000) > 1) return false;
+        return true;
+    }
+};
+} // namespace
+
 TEST_CASE("a command takes effect in all drives in the same cycle, also in one that is late") {
-    arm a;
-    a.missing = bridging::input_age::late;
-    a.cycle(5);
-    REQUIRE(a.turn(1.0) == joint_errc::ok);
-    a.cycle(100);
+    turning_arm a;
     a.devices[2].connected = false;
     a.cycle(4);
     REQUIRE(a.turn(2.0) == joint_errc::ok);
     a.cycle();
     CHECK(a.group.has_targets());
-    for (std::size_t i = 0; i != joints; ++i)
-        CHECK(std::abs(a.group.axis(i).targets().velocity) == Approx(12'000).margin(1));
+    CHECK(a.is_faster_in_all_drives());
 }
 
 TEST_CASE("a group has the targets of a command once its axes have moved on towards them") {
-    arm a;
-    a.missing = bridging::input_age::late;
-    a.cycle(5);
-    REQUIRE(a.turn(1.0) == joint_errc::ok);
-    a.cycle(100);
+    turning_arm a;
     if (GENERATE(false, true)) {
         a.devices[2].connected = false;
         a.cycle(4);
@@ -301,8 +310,7 @@ TEST_CASE("a group has the targets of a command once its axes have moved on towa
     CHECK(a.group.is_following());
     a.cycle();
     CHECK(a.group.has_targets());
-    for (std::size_t i = 0; i != joints; ++i)
-        CHECK(std::abs(a.group.axis(i).targets().velocity) == Approx(12'000).margin(1));
+    CHECK(a.is_faster_in_all_drives());
 }
 
 TEST_CASE("a message for another number of joints changes nothing") {

@@ -128,6 +128,22 @@ TEST_CASE("a large data set is split, sent and reassembled") {
     REQUIRE_FALSE(p.ocu.node.send(head, std::span<const std::byte>{unsendable}));
 }
 
+TEST_CASE("a node that is destroyed while it sends says what was not sent") {
+    boost::asio::io_context context;
+    const auto ports = free_ports<2>();
+    const auto systems = system("ocu", "1.0.0.0", ports[0]) + system("robot", "2.0.0.0", ports[1]);
+    std::vector<std::string> log;
+    {
+        net::jaus_node node{
+            context, config("ocu", systems), {.log = [&](std::string_view line) { log.emplace_back(line); }}};
+        node.start();
+        REQUIRE(
+            node.send({.command_code = 0xD111, .destination = make(2, 1, 33), .source = make(1, 1)}, bytes(1'000'000)));
+    }
+    CHECK(std::ranges::any_of(
+        log, [](const auto& line) { return line.find("1 large data sets were not sent to their end") != line.npos; }));
+}
+
 TEST_CASE("an acknowledged command and a large data set pass an intermediate node") {
     boost::asio::io_context context;
     const auto ports = free_ports<3>();

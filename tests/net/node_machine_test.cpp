@@ -68,13 +68,24 @@ TEST_CASE("a node sends periodic events of its component's status at their rate"
     CHECK(events >= 19);
 }
 
-TEST_CASE("a message whose header does not encode is not sent") {
+TEST_CASE("a message whose header does not encode is not sent, however large it is") {
     simulated_pair p;
-    const auto sent =
-        p.ocu.node.send({.priority = 16, .command_code = 0xD111, .destination = p.robot.self, .source = p.ocu.self},
-                        bytes(3), p.network.now);
+    for (const std::size_t size : {3U, 10'000U}) {
+        const auto sent =
+            p.ocu.node.send({.priority = 16, .command_code = 0xD111, .destination = p.robot.self, .source = p.ocu.self},
+                            bytes(size), p.network.now);
+        REQUIRE_FALSE(sent);
+        CHECK(sent.error().code == net::errc::invalid_message);
+    }
+}
+
+TEST_CASE("large data sets beyond the memory of a node are not sent, because its queue is full") {
+    simulated_pair p;
+    const jaus::header head{.command_code = 0xD111, .destination = p.robot.self, .source = p.ocu.self};
+    const auto sent = p.ocu.node.send(head, bytes((std::size_t{16} << 20U) + 1), p.network.now);
     REQUIRE_FALSE(sent);
-    CHECK(sent.error().code == net::errc::invalid_message);
+    CHECK(sent.error().code == net::errc::queue_full);
+    CHECK(sent.error().message == "a large data set is not sent: too many bytes wait to be sent");
 }
 
 TEST_CASE("a program without a node manager has lost at once what another program's has lost") {
@@ -89,6 +100,15 @@ TEST_CASE("a program without a node manager has lost at once what another progra
     robot.node.lose(GENERATE(make(1, 1, 32), make(1, 1, 1)), now); // the operator, or its node
     CHECK_FALSE(robot.core.control().controller());
     CHECK(robot.node.next_event() == now);
+}
+
+TEST_CASE("what a program with a node manager is told to have lost is lost only if its manager says so") {
+    simulated_pair p;
+    auto& now = p.network.now;
+    p.ocu.other.ask(5, now, p.ocu.node.out(now));
+    REQUIRE(p.network.run(now + 1s, [&] { return p.robot.core.control().controls(p.ocu.self); }));
+    p.robot.node.lose(p.ocu.self, now);
+    CHECK(p.robot.core.control().controls(p.ocu.self));
 }
 
 TEST_CASE("what is sent between two turns counts from the time that was given") {
@@ -174,26 +194,18 @@ TEST_CASE("a component is taken away only while its node is stopped") {
     CHECK(p.robot.large.empty());
 }
 
-TEST_CASE("a handler that has stopped its node cannot take a component away") {
+TEST_CASE("a handler that has stopped its node can neither take a component away nor start it") {
     simulated_pair p;
     p.robot.heard = [&](const jaus::header&, std::span<const std::byte>) {
         p.robot.node.stop();
         CHECK_THROWS_AS(p.robot.node.remove(p.robot.self), std::logic_error);
-    };
-    REQUIRE(p.network.run(p.network.now + 2s, [&] { return !p.robot.node.running(); }));
-    p.robot.heard = {};
-    CHECK_NOTHROW(p.robot.node.remove(p.robot.self)); // outside of the handler
-}
-
-TEST_CASE("a handler that has stopped its node cannot start it") {
-    simulated_pair p;
-    p.robot.heard = [&](const jaus::header&, std::span<const std::byte>) {
-        p.robot.node.stop();
         CHECK_THROWS_AS(p.robot.node.start(p.network.now), std::logic_error);
     };
     REQUIRE(p.network.run(p.network.now + 2s, [&] { return !p.robot.node.running(); }));
     p.robot.heard = {};
-    CHECK_NOTHROW(p.robot.node.start(p.network.now)); // outside of the handler
+    // Outside of the handler it can.
+    CHECK_NOTHROW(p.robot.node.remove(p.robot.self));
+    CHECK_NOTHROW(p.robot.node.start(p.network.now));
 }
 
 TEST_CASE("time has no effect on a stopped node, also in the handler that has stopped it") {
@@ -241,6 +253,15 @@ TEST_CASE("a node is identified by its name, or else by that of its system") {
                           jaus::query_identification{jaus::query_type::node_identification}, network.now));
     network.run(network.now + 10ms);
     CHECK(told == (has_name ? "arm" : "robot"));
+}
+
+TEST_CASE("where a system has no node manager, another component may have its address") {
+    simulated_network network{};
+    const auto systems = system("ocu", "1.0.0.0", 1001) + system("robot", "2.1.33.0", 1002);
+    simulated_program robot{network, config("robot", systems), make(2, 1, 1)};
+    robot.node.stop();
+    robot.node.remove(robot.self);
+    CHECK_NOTHROW(robot.node.add(robot.core, robot.application)); // it was taken away
 }
 
 TEST_CASE("a node lists its own components, not those of other nodes") {
