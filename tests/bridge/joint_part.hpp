@@ -67,7 +67,8 @@ class joint_part final : public bridging::process_part {
     }
     [[nodiscard]] std::uint32_t executed(bridging::slave_group slaves) const override {
         for (std::size_t i = 0; i != slaves.size(); ++i)
-            if (taken(slaves[i]) != static_cast<std::uint16_t>(number_ + offset_[i])) return number_ - 1;
+            if (!slaves[i].outputs.empty() && taken(slaves[i]) != static_cast<std::uint16_t>(number_ + offset_[i]))
+                return number_ - 1;
         return number_;
     }
     [[nodiscard]] result<std::span<std::byte>> answer(const jaus::header& query, std::span<const std::byte>,

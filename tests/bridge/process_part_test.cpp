@@ -169,6 +169,27 @@ TEST_CASE("a slave that does not obey a stop order is lost with its group") {
     CHECK(a.is_at_rest());
 }
 
+TEST_CASE("a slave that does not obey a stop order is lost within the limit, also where another one is lost already") {
+    arm a{3};
+    a.run_until_moving(30);
+    const bool obeys = GENERATE(false, true);
+    a.r.actuators[0].hangs = !obeys;
+    a.r.dead_from = 1;
+    a.r.run_until([&] { return a.r.watcher.lost == 2; }, 21ms);
+    a.r.run(100ms);
+    CHECK(a.r.fronts[0].up() == obeys);
+    CHECK(a.r.watcher.lost == (obeys ? 2 : 3));
+    CHECK(a.r.unit().stops().stop_is_pending()); // the others have not executed it
+    CHECK((a.r.motor(0).effort == 0) == obeys);
+    a.r.actuators[0].hangs = false;
+    a.r.run(50ms);
+    CHECK(a.r.motor(0).effort == 0);
+    a.r.dead_from = 1000;
+    a.r.run_until_ready();
+    CHECK(a.is_at_rest());
+    CHECK(a.r.watcher.lost == (obeys ? 2 : 3));
+}
+
 TEST_CASE("start-up objects that a slave does not have are passed over") {
     static constexpr std::array vendor{std::byte{1}, std::byte{}, std::byte{}, std::byte{}};
     joint_part part;

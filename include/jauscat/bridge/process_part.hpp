@@ -101,7 +101,8 @@ class process_part {
     [[nodiscard]] virtual bool is_preparing() const { return false; }
     /// Brings the slaves that are not lost to rest; returns the number of this order. `what` is rest or emergency.
     virtual std::uint32_t stop(stop_order what, slave_group slaves) = 0;
-    /// The number of the last command or stop order that all slaves have executed.
+    /// The number of the last command or stop order that all slaves have executed; of a stop order, all that are not
+    /// lost.
     [[nodiscard]] virtual std::uint32_t executed(slave_group slaves) const = 0;
     /// The last stop order has not been executed in time. Whether later inputs show that all slaves obey it and have
     /// become slower by a quarter or more since the order, or since this was asked last: they then get that time again.

@@ -24,6 +24,7 @@ JAUSCAT_FUNCTION bool process_channel::has_inputs_within(duration limit, time_po
 
 JAUSCAT_FUNCTION result<void, translate::errc> process_channel::start(const process_times& times) {
     has_rest_outputs_ = false;
+    waiting_count_ = 0; // stop orders to those slaves that were not lost
     misfit_ = part_.use_times(times);
     const auto started = part_.start(slaves(), times.period);
     is_started_ = static_cast<bool>(started);

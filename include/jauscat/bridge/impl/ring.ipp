@@ -1123,7 +1123,9 @@ JAUSCAT_FUNCTION void ring::put_stop(component& unit, process_channel& process, 
     const auto what = is_awaited ? *next : stop_order::rest;
     const auto waiting = process.waiting_stop();
     if (waiting == what || waiting == stop_order::emergency || (process.has_rest_outputs() && !is_awaited)) return;
-    const auto limit = is_awaited ? std::optional{unit.front().timing().data_limit} : std::nullopt;
+    // While one of the slaves is lost the others have the same time, though the order counts as executed by all alone.
+    const bool is_limited = is_awaited || !process.is_started();
+    const auto limit = is_limited ? std::optional{unit.front().timing().data_limit} : std::nullopt;
     const auto number = process.stop(what, limit, now, [&](const jaus::header& head) {
         unit.on_not_executed(head, {.why = refusal::stopped}, now, out);
     });
@@ -1179,9 +1181,9 @@ JAUSCAT_FUNCTION void ring::take_confirmations(component& unit, process_channel&
     bool takes_stops = true;
     while (const auto over = process.next_ended(now)) {
         if (over->stop && over->how == executed) {
-            unit.on_confirmed(*over->stop, now, out);
+            if (process.is_started()) unit.on_confirmed(*over->stop, now, out);
         } else if (over->stop) {
-            unit.on_refused(*over->stop, false, {.why = refusal::not_accepted}, now, out);
+            if (process.is_started()) unit.on_refused(*over->stop, false, {.why = refusal::not_accepted}, now, out);
             takes_stops = false;
         } else if (over->how == executed) {
             unit.on_executed(over->header, now, out);
@@ -1193,7 +1195,7 @@ JAUSCAT_FUNCTION void ring::take_confirmations(component& unit, process_channel&
     }
     if (takes_stops) return;
     for (place& each : places())
-        if (std::ranges::count(process.fronts(), each.front) != 0)
+        if (each.front->up() && std::ranges::count(process.fronts(), each.front) != 0)
             lose(each, loss::no_process_data, {.code = ethercat::master_errc::timeout}, now, out);
 }
 
