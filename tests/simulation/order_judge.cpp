@@ -207,7 +207,8 @@ void order_judge::refused(const jaus::header& head, const bridging::refusal_reas
         return one.head.source == head.source && one.head.command_code == head.command_code &&
                one.head.sequence_number == head.sequence_number;
     };
-    const auto found = std::ranges::find_if(open_, is_it);
+    auto found = std::ranges::find(open_, head, &order::head); // a sender may use a number twice
+    if (found == open_.end() && current_.head != head) found = std::ranges::find_if(open_, is_it);
     if (why == refusal::not_accepted) not_accepted_at_ = world_.now();
     if (why == refusal::superseded && !is_handled_) has_replaced_ = true;
     const bool is_open = found != open_.end();
