@@ -369,6 +369,25 @@ TEST_CASE("a command that arrives while the slave refuses zeros is not executed 
     CHECK(*(r.motor().efforts.end() - 2) == 0);
 }
 
+TEST_CASE("a command waits behind a stop order that the slave refuses for its time, and is refused then") {
+    rig r{rig::driving{50}};
+    r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
+    r.exchanges[0].lacks = jaus::command_code_of<jaus::set_emergency>;
+    r.motor().abort_code_of = jaus::command_code_of<jaus::set_wrench_effort>;
+    r.motor().aborts = 1'000'000;
+    r.lose(rig::operator_unit);
+    const auto begun = r.now;
+    const auto number = r.drive(20);
+    r.run(r.options.order_timeout / 2);
+    r.tell(jaus::report_heartbeat_pulse{}, 0, ack_nak::none); // the operator is there
+    CHECK(!r.answer(number));
+    r.run_until([&] { return r.answer(number).has_value(); });
+    CHECK(r.now - begun == r.options.order_timeout);
+    CHECK(r.is_refused(number));
+    CHECK(r.watcher.refusals == std::vector{bridging::refusal::expired});
+    CHECK(r.unit().stops().stop_is_pending());
+}
+
 TEST_CASE("a component that takes control over does not inherit waiting commands") {
     rig r;
     r.round_trip = 8ms;

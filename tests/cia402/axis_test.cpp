@@ -239,6 +239,23 @@ TEST_CASE("a torque is limited, follows its slope, and does not push out of the 
     CHECK(r.mine.targets().torque == 0);
 }
 
+TEST_CASE("an axis beyond its range pushes back into it") {
+    auto options = slow;
+    options.min_position = -500;
+    options.max_position = 500;
+    for (const int direction : {1, -1}) {
+        rig r{options};
+        r.drive.feedback.position = -600 * direction;
+        REQUIRE(r.enable(mode::cyclic_synchronous_torque));
+        const auto torque = static_cast<std::int16_t>(50 * direction);
+        REQUIRE(r.mine.push_with(torque));
+        CHECK(!r.mine.is_target_reached());
+        r.cycle(60);
+        CHECK(r.mine.targets().torque == torque);
+        CHECK(r.mine.is_target_reached());
+    }
+}
+
 TEST_CASE("disable brings the axis to rest by ramp before it takes the torque away") {
     rig r = turning();
     r.mine.disable();
@@ -308,6 +325,35 @@ TEST_CASE("quick stop goes out in the same cycle") {
     r.cycle(8);
     CHECK(r.mine.state() == axis_state::enabled);
     CHECK(r.mine.targets().velocity == 0); // the old target is gone
+}
+
+TEST_CASE("a quick stop is its command alone, in each mode") {
+    for (const auto each : {mode::profile_position, mode::profile_velocity, mode::homing,
+                            mode::cyclic_synchronous_position, mode::cyclic_synchronous_torque}) {
+        rig r{slow};
+        REQUIRE(r.enable(each));
+        r.mine.quick_stop();
+        r.cycle();
+        CHECK(r.mine.targets().controlword == control_of(command::quick_stop));
+    }
+}
+
+TEST_CASE("a drive that stays in a state without torque is told to stop on, and its axis has no error") {
+    for (const auto each : {state::ready_to_switch_on, state::quick_stop_active}) {
+        rig r{slow};
+        REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+        r.drive.state = each;
+        r.drive.stuck = true;
+        r.drive.show();
+        if (each == state::ready_to_switch_on)
+            r.mine.quick_stop();
+        else
+            r.mine.disable();
+        r.cycle(10'000);
+        CHECK(r.mine.error().code == axis_errc::ok);
+        CHECK(r.mine.targets().controlword ==
+              control_of(each == state::ready_to_switch_on ? command::quick_stop : command::disable_voltage));
+    }
 }
 
 TEST_CASE("a quick stop that does not bring the axis to rest in time fails it, and goes on") {
@@ -669,6 +715,22 @@ TEST_CASE("homing ends by the drive's bits, not by those of an earlier one") {
     r.drive.bits = status_bits::homing_error;
     r.cycle(10);
     CHECK(r.mine.error().code == axis_errc::homing_failed);
+}
+
+TEST_CASE("homing goes on while the drive has only one of the two bits, also where it was homed before") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::homing));
+    REQUIRE(r.mine.home());
+    r.drive.bits = status_bits::homing_attained | status_bits::target_reached;
+    r.cycle(10);
+    REQUIRE(r.mine.is_homed());
+    r.drive.bits = GENERATE(status_bits::homing_attained, status_bits::target_reached);
+    REQUIRE(r.mine.home());
+    CHECK(!r.mine.is_homed());
+    r.cycle(10);
+    CHECK(!r.mine.is_homed());
+    CHECK(!r.mine.is_target_reached());
+    CHECK((r.mine.targets().controlword & control_bits::start_homing) != 0);
 }
 
 TEST_CASE("an error of homing counts from the fifth cycle on") {

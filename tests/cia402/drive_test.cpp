@@ -541,6 +541,31 @@ TEST_CASE("software limits hold in every mode") {
     CHECK(r.values().velocity_actual == 0);
 }
 
+TEST_CASE("a drive at its limit that is not told to go further is not limited") {
+    for (const int direction : {1, -1}) {
+        rig r;
+        r.values().min_position_limit = -1000;
+        r.values().max_position_limit = 1000;
+        r.motor().place(1000 * direction);
+        r.enable_by_hand();
+        r.exchange();
+        CHECK((r.values().statusword & status_bits::internal_limit) == 0);
+        r.places.store({.controlword = 0x0F, .mode = mode::cyclic_synchronous_velocity, .velocity = 1000 * direction},
+                       r.outputs);
+        r.exchange();
+        CHECK((r.values().statusword & status_bits::internal_limit) != 0);
+    }
+}
+
+TEST_CASE("a warning shows, and leaves the drive in its state") {
+    rig r;
+    r.exchange();
+    const auto word = r.values().statusword;
+    r.motor().disturbed.warning = true;
+    r.exchange();
+    CHECK(r.values().statusword == (word | status_bits::warning));
+}
+
 TEST_CASE("a drive that leaves OP stops by itself") {
     rig r;
     r.turn(50'000);

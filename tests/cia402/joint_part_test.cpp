@@ -412,6 +412,19 @@ TEST_CASE("drives that do not brake are taken out of OP within the limit") {
     CHECK(d.watcher.last_loss == bridging::loss::no_process_data);
 }
 
+TEST_CASE("drives that do not go on braking are taken out of OP within the limit, too") {
+    drives d;
+    for (std::size_t i = 0; i != joints; ++i) d.motor(i).values.quick_stop_deceleration = 100'000; // 200 ms from 20,000
+    d.run_until_turning(2.0);
+    d.tell(rig::stop());
+    d.run(90ms); // by then they have been looked at once
+    CHECK(d.watcher.lost == 0);
+    CHECK(d.fastest() < 12'000);
+    for (std::size_t i = 0; i != joints; ++i) d.motor(i).values.quick_stop_deceleration = 1'000;
+    d.run_until([&] { return d.watcher.lost != 0; }, 100ms);
+    CHECK(d.watcher.last_loss == bridging::loss::no_process_data);
+}
+
 TEST_CASE("commands are executed by drives that need long to enable, and the last one wins") {
     drives d;
     const auto open_in = GENERATE(150ms, 900ms);

@@ -31,6 +31,8 @@ TEST_CASE("60C2h has a period of more than 255 ms in tenths of a second or more"
     is(2560ms, std::nullopt); // 256 x 10^-2 s
     is(25'500ms, interpolation_period{255, -1});
     is(255s, interpolation_period{255, 0});
+    is(0ms, std::nullopt);
+    is(-1ms, std::nullopt);
 }
 
 TEST_CASE("the start-up objects of an axis are 60C2h, and 6060h where it is not mapped") {
@@ -49,4 +51,6 @@ TEST_CASE("the start-up objects of an axis are 60C2h, and 6060h where it is not 
     CHECK(second.values()[0].index == 0x68C2);
     CHECK(second.values()[2].index == 0x6860);
     CHECK(second.values()[2].data[0] == std::byte{9});
+    fixed.fixed_mode = cia402::mode::none; // it stays in the one that it has
+    CHECK(cia402::axis_start_up{2ms, fixed, 1}.values().size() == 2);
 }

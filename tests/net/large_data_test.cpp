@@ -139,6 +139,42 @@ TEST_CASE("an equal large data set arrives again") {
     REQUIRE((s.receiver->large == std::vector(4, body_of(5, 20'000))));
 }
 
+TEST_CASE("an equal large data set arrives again after one whose last acknowledgements were lost") {
+    senders_and_receiver s{1};
+    auto& sender = s.all.back();
+    s.send(sender, body_of(5, 8'000));
+    REQUIRE(s.network.run(s.network.now + 1s, [&] { return !s.receiver->large.empty(); }));
+    s.network.deaf = sender.at;
+    REQUIRE(s.network.run(s.network.now + 10s, [&] { return !sender.large_done.empty(); }));
+    REQUIRE(sender.large_done == std::vector{jaus::delivered::timed_out});
+    s.network.deaf.reset();
+    s.send(sender, body_of(5, 8'000));
+    s.run_for(60s);
+    CHECK(sender.large_done.back() == jaus::delivered::acknowledged);
+    CHECK(s.receiver->large.size() == 2);
+}
+
+TEST_CASE("a large command that its component does not take is refused") {
+    senders_and_receiver s{2};
+    auto& other = *std::next(s.all.begin());
+    SECTION("because another one has control") {
+        REQUIRE(other.node.send({.destination = s.receiver->self, .source = other.self},
+                                jaus::request_component_control{.authority_code = 100}, s.network.now));
+        s.run_for(100ms);
+        REQUIRE(s.receiver->core.control().controls(other.self));
+    }
+    SECTION("because it is not ready") {
+        REQUIRE(
+            other.node.send({.destination = s.receiver->self, .source = other.self}, jaus::standby{}, s.network.now));
+        s.run_for(100ms);
+        REQUIRE(s.receiver->core.state() == jaus::primary_status_code::standby);
+    }
+    SECTION("because no part and no application handles it") { s.receiver->outcome = jaus::message_outcome::unhandled; }
+    s.send(s.all.back(), body_of(5, 8'000));
+    s.run_for(10s);
+    CHECK(s.all.back().large_done == std::vector{jaus::delivered::refused});
+}
+
 TEST_CASE("a large data set that the memory of its receiver does not hold is refused") {
     senders_and_receiver s{1};
     s.send(s.all.back(), body_of(5, 2'000'000));

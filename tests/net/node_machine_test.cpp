@@ -102,6 +102,25 @@ TEST_CASE("a program without a node manager has lost at once what another progra
     CHECK(robot.node.next_event() == now);
 }
 
+TEST_CASE("the sender of a motion command is watched from its arrival on, also where its execution takes time") {
+    simulated_pair p;
+    auto& now = p.network.now;
+    p.robot.outcome = GENERATE(jaus::message_outcome::handled, jaus::message_outcome::deferred);
+    REQUIRE(p.network.run(now + 2s, [&] { return has(p.robot.appeared, make(1, 1)); }));
+    unsigned queries = 0;
+    p.robot.on_sent = [&](std::span<const std::byte> message) {
+        const auto m = jaus::split(message);
+        queries += m.header.command_code == jaus::command_code_of<jaus::query_heartbeat_pulse> &&
+                   m.header.destination == p.ocu.self;
+    };
+    REQUIRE(
+        p.ocu.node.send({.command_code = 0xD111, .destination = p.robot.self, .source = p.ocu.self}, bytes(3), now));
+    REQUIRE(p.network.run(now + 1s, [&] { return !p.robot.large.empty(); }));
+    p.network.detach(p.ocu.at);
+    p.network.run(now + jaus::control_options{}.timeout);
+    CHECK(queries == 3); // after one, two and three quarters of it
+}
+
 TEST_CASE("what a program with a node manager is told to have lost is lost only if its manager says so") {
     simulated_pair p;
     auto& now = p.network.now;

@@ -28,6 +28,7 @@ class simulated_network {
     jauscat::time_point now{std::chrono::hours{1}};
     jauscat::duration trip{std::chrono::microseconds{100}}; ///< one way
     std::size_t sent{};                                     ///< datagrams
+    std::optional<endpoint> deaf{};                         ///< nothing arrives there
 
     explicit simulated_network(unsigned seed = 1) : random_{seed} {}
 
@@ -76,7 +77,7 @@ class simulated_network {
 
     bool happens(unsigned percent) { return random_() % 100 < percent; }
     void arrive(const datagram& d) {
-        if (const auto to = nodes_.find(d.to); to != nodes_.end())
+        if (const auto to = nodes_.find(d.to); to != nodes_.end() && d.to != deaf)
             to->second->on_datagram(d.message, d.from, d.framing, false, now);
     }
 

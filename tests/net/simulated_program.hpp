@@ -57,6 +57,7 @@ struct simulated_program {
     std::function<void(const jaus::header&, std::span<const std::byte>)> heard{};
     std::vector<jaus::address> appeared{}, disappeared{};
     std::vector<bytes> large{}; ///< that came
+    jaus::message_outcome outcome{jaus::message_outcome::handled};
     std::vector<jaus::delivered> large_done{};
     hooks_type hooks{};
     jaus::component_memory<> memory{};
@@ -73,7 +74,7 @@ struct simulated_program {
         jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte> body) const {
             if (head.command_code != 0xD111) return jaus::message_outcome::unhandled;
             mine.large.emplace_back(body.begin(), body.end());
-            return jaus::message_outcome::handled;
+            return mine.outcome;
         }
     } application{*this};
     net::node_machine node;
