@@ -98,7 +98,6 @@ void show_violation(settings what, const run_result& first, const options& chose
     for (std::size_t i = 0; i != fault_count; ++i)
         if ((chosen.each.faults & only(static_cast<fault>(i))) == 0)
             without.append(" --without ").append(fault_names[i]);
-    if (chosen.each.ignores_told) without.append(" --ignore-told");
     std::printf("again: scripts/simulate --system %s --seed %llu --seconds %lld%s\n",
                 std::string{name_of(chosen.each.system)}.c_str(), static_cast<unsigned long long>(what.seed),
                 static_cast<long long>(chosen.each.length / std::chrono::seconds{1}), without.c_str());
@@ -228,7 +227,6 @@ int start(int argc, char** argv) {
         ("jobs", po::value<unsigned>()->default_value(std::max(std::thread::hardware_concurrency(), 1U)), "threads")
         ("only", po::value<std::vector<std::string>>(), "only this kind of fault; may be given several times")
         ("without", po::value<std::vector<std::string>>(), "without this kind of fault")
-        ("ignore-told", po::bool_switch(), "go on where an observer is not told what is so, or not in time")
         ("trace", po::bool_switch(), "with --seed: all that happens and is sent, a line for each")
         ("renew", po::value<std::string>(), "write the digests of the runs in this file, see recorded_runs.txt")
         ("whole", po::bool_switch(), "the whole end of the story, not only what matters")
@@ -253,9 +251,7 @@ int start(int argc, char** argv) {
                    .hours = values["hours"].as<double>(),
                    .seconds = values["for"].as<double>(),
                    .jobs = std::max(values["jobs"].as<unsigned>(), 1U),
-                   .each = {.length = std::chrono::seconds{values["seconds"].as<long>()},
-                            .faults = faults_of(values),
-                            .ignores_told = values["ignore-told"].as<bool>()}};
+                   .each = {.length = std::chrono::seconds{values["seconds"].as<long>()}, .faults = faults_of(values)}};
     const auto system = system_of(values["system"].as<std::string>());
     if (!system)
         throw std::runtime_error{

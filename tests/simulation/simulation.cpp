@@ -301,7 +301,6 @@ std::optional<system_kind> system_of(const std::string& name) {
 
 run_result run(const settings& what) {
     world w{what.seed, what.faults};
-    w.ignores_told = what.ignores_told;
     w.trace = what.trace;
     run_result result{};
     auto kind = what.system;

@@ -37,7 +37,6 @@ struct settings {
     system_kind system{};
     fault_set faults{every_fault};
     std::uint32_t absent{}; ///< actors that are left out, by the bit of their number
-    bool ignores_told{};    ///< breaches of contract::told do not count
     std::ostream* trace{};  ///< gets a line for all that happens and is sent
     friend bool operator==(const settings&, const settings&) = default;
 };

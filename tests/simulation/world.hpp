@@ -30,8 +30,6 @@ class world {
     void in(time pause, actor& who, std::uint8_t what, std::uint32_t argument = 0) {
         agenda_.put(now_ + pause, who, what, argument);
     }
-    /// Breaches of contract::told do not count.
-    bool ignores_told{};
     /// Gets a line for each happening.
     std::ostream* trace{};
     /// What is checked after each step.
@@ -72,7 +70,7 @@ class world {
     void sees(const char* what, std::string_view text) { sees(what, std::as_bytes(std::span{text})); }
     /// Of many breaches the first counts.
     void breaks(violation broken) {
-        if (broken_ || (ignores_told && broken.point == contract::told)) return;
+        if (broken_) return;
         broken.at = now_;
         broken_ = std::move(broken);
     }
