@@ -190,6 +190,27 @@ TEST_CASE("a slave that does not obey a stop order is lost within the limit, als
     CHECK(a.r.watcher.lost == (obeys ? 2 : 3));
 }
 
+TEST_CASE("a slave that is back before others of its group is not asked to execute their stop order") {
+    arm a{3};
+    a.run_until_moving(30);
+    a.r.actuators[0].hangs = true;
+    a.r.actuators[1].power_cycle();
+    a.r.dead_from = 2;
+    a.r.run_until([&] { return a.r.watcher.lost == 2; }, 21ms);
+    a.r.run_until([&] { return a.r.fronts[1].up(); }, 60ms);
+    a.r.actuators[0].hangs = false; // it executes the order late, but in time
+    a.r.run(200ms);
+    CHECK(a.r.watcher.lost == 2);
+    CHECK(a.r.fronts[0].up());
+    CHECK(a.r.fronts[1].up());
+    CHECK(a.r.motor(0).effort == 0);
+    CHECK(a.r.unit().stops().stop_is_pending());
+    a.r.dead_from = 1000;
+    a.r.run_until_ready();
+    CHECK(a.is_at_rest());
+    a.run_until_moving(20);
+}
+
 TEST_CASE("start-up objects that a slave does not have are passed over") {
     static constexpr std::array vendor{std::byte{1}, std::byte{}, std::byte{}, std::byte{}};
     joint_part part;

@@ -55,9 +55,11 @@ class process_channel {
     [[nodiscard]] JAUSCAT_FUNCTION bool has_inputs_within(duration limit, time_point now) const noexcept;
 
     [[nodiscard]] JAUSCAT_FUNCTION result<void, translate::errc> start(const process_times& times);
-    /// A slave was lost. No command waits any more; `refused(const jaus::header&)` gets those that did.
+    /// A slave was lost. No command waits any more; `refused(const jaus::header&)` gets those that did. Until the next
+    /// start the part works without this slave, also where it is back before others are.
     void end(auto&& refused) {
         is_started_ = false;
+        for (std::size_t i = 0; i != count_; ++i) is_absent_[i] = is_absent_[i] || fronts_[i]->data().outputs.empty();
         drop(refused);
     }
     /// No stop order waits any more either.
@@ -116,10 +118,12 @@ class process_channel {
         return last - wanted <= UINT32_MAX / 2;
     }
     [[nodiscard]] JAUSCAT_FUNCTION slave_group slaves() noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION slave_data data_of(std::size_t slave) const noexcept;
 
     process_part& part_;
     std::array<slave_front*, group_capacity> fronts_{};
     std::array<slave_data, group_capacity> data_{};
+    std::array<bool, group_capacity> is_absent_{}; // it was lost since the last start
     std::size_t count_{};
     std::array<waiting, capacity> waiting_{};
     std::size_t waiting_count_{};

@@ -14,7 +14,9 @@ JAUSCAT_FUNCTION bool process_channel::takes(const jaus::header& head) const {
 }
 
 JAUSCAT_FUNCTION bool process_channel::has_slaves() const noexcept {
-    return std::ranges::any_of(fronts(), [](const slave_front* each) { return !each->data().outputs.empty(); });
+    bool has_any = false;
+    for (std::size_t i = 0; i != count_; ++i) has_any = has_any || !data_of(i).outputs.empty();
+    return has_any;
 }
 
 JAUSCAT_FUNCTION bool process_channel::has_inputs_within(duration limit, time_point now) const noexcept {
@@ -24,11 +26,15 @@ JAUSCAT_FUNCTION bool process_channel::has_inputs_within(duration limit, time_po
 
 JAUSCAT_FUNCTION result<void, translate::errc> process_channel::start(const process_times& times) {
     has_rest_outputs_ = false;
-    waiting_count_ = 0; // stop orders to those slaves that were not lost
     misfit_ = part_.use_times(times);
+    const auto were_absent = std::exchange(is_absent_, {});
     const auto started = part_.start(slaves(), times.period);
     is_started_ = static_cast<bool>(started);
     has_begun_ = has_begun_ || is_started_;
+    if (is_started_)
+        waiting_count_ = 0; // a stop order to those slaves that were not lost
+    else
+        is_absent_ = were_absent;
     return started;
 }
 
@@ -93,8 +99,12 @@ process_channel::answer(const jaus::header& query, bytes body, std::span<std::by
 }
 
 JAUSCAT_FUNCTION slave_group process_channel::slaves() noexcept {
-    for (std::size_t i = 0; i != count_; ++i) data_[i] = fronts_[i]->data();
+    for (std::size_t i = 0; i != count_; ++i) data_[i] = data_of(i);
     return std::span{std::as_const(data_)}.first(count_);
+}
+
+JAUSCAT_FUNCTION slave_data process_channel::data_of(std::size_t slave) const noexcept {
+    return is_absent_[slave] ? slave_data{} : fronts_[slave]->data();
 }
 
 } // namespace jauscat::bridging
