@@ -150,6 +150,26 @@ TEST_CASE("a cyclic position starts where the axis is, until the drive follows")
     CHECK(std::abs(r.mine.targets().position - r.drive.feedback.position) <= 1);
 }
 
+TEST_CASE("the targets of an axis that turns stay where its drive is, until that follows them in a new mode") {
+    rig r = turning();
+    r.mine.set_mode(mode::cyclic_synchronous_position);
+    r.follow(2);
+    REQUIRE(r.drive.feedback.mode == mode::cyclic_synchronous_position);
+    REQUIRE(r.drive.feedback.velocity > 400);
+    r.drive.bits = 0;
+    const auto held_at = r.drive.feedback.position;
+    r.cycle(2); // the status tells it a cycle later
+    while (r.drive.feedback.velocity > 0) {
+        r.drive.feedback.velocity -= 50;
+        r.cycle();
+        CHECK(std::abs(r.mine.targets().position - held_at) <= 1);
+    }
+    r.drive.bits = status_bits::follows_target;
+    r.cycle(2);
+    CHECK(r.mine.state() == axis_state::enabled);
+    CHECK(r.mine.targets().position == held_at);
+}
+
 TEST_CASE("a drive that never follows fails the axis") {
     rig r;
     r.drive.bits = 0;

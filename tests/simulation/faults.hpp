@@ -55,18 +55,32 @@ enum class fault : std::uint8_t {
     joint_lasting_fault,
     joint_mode_refused,
     joint_sender_silent,
+    joint_stops_following,
     slave_emergency,
 };
-inline constexpr std::array<std::string_view, 44> fault_names{
-    "datagram-lost",       "datagram-doubled",     "datagram-delayed",       "network-parted",  "process-killed",
-    "process-frozen",      "clock-leap",           "same-numbers",           "number-zero",     "message-doubled",
-    "kinds-mixed",         "body-malformed",       "mute-controller",        "frame-lost",      "frame-delayed",
-    "cable-out",           "slave-frozen",         "slave-restarted",        "slave-aborts",    "slave-falls-back",
-    "mailbox-recounted",   "other-master",         "odd-watchdog",           "unknown-state",   "bridge-ended",
-    "frame-doubled",       "frame-damaged",        "slaves-swapped",         "station-doubled", "drive-fault",
-    "drive-unpowered",     "drive-deaf",           "watchdog-kept",          "error-reported",  "slave-slow",
-    "wall-clock-back",     "joint-period-changed", "joint-without-velocity", "joint-long-ramp", "joint-late-brake",
-    "joint-lasting-fault", "joint-mode-refused",   "joint-sender-silent",    "slave-emergency"};
+inline constexpr std::array<std::string_view, 45> fault_names{"datagram-lost",        "datagram-doubled",
+                                                              "datagram-delayed",     "network-parted",
+                                                              "process-killed",       "process-frozen",
+                                                              "clock-leap",           "same-numbers",
+                                                              "number-zero",          "message-doubled",
+                                                              "kinds-mixed",          "body-malformed",
+                                                              "mute-controller",      "frame-lost",
+                                                              "frame-delayed",        "cable-out",
+                                                              "slave-frozen",         "slave-restarted",
+                                                              "slave-aborts",         "slave-falls-back",
+                                                              "mailbox-recounted",    "other-master",
+                                                              "odd-watchdog",         "unknown-state",
+                                                              "bridge-ended",         "frame-doubled",
+                                                              "frame-damaged",        "slaves-swapped",
+                                                              "station-doubled",      "drive-fault",
+                                                              "drive-unpowered",      "drive-deaf",
+                                                              "watchdog-kept",        "error-reported",
+                                                              "slave-slow",           "wall-clock-back",
+                                                              "joint-period-changed", "joint-without-velocity",
+                                                              "joint-long-ramp",      "joint-late-brake",
+                                                              "joint-lasting-fault",  "joint-mode-refused",
+                                                              "joint-sender-silent",  "joint-stops-following",
+                                                              "slave-emergency"};
 inline constexpr std::size_t fault_count = fault_names.size();
 
 [[nodiscard]] constexpr std::string_view name_of(fault kind) noexcept {

@@ -93,6 +93,7 @@ class joint_system final : public actor {
         world_.at(seconds{4}, *this, command);
         if (what == joint_trial::period_changes) world_.at(seconds{5}, *this, other_user);
         if (what == joint_trial::lasting_fault) world_.at(seconds{6}, *this, fails);
+        if (what == joint_trial::stops_following) world_.at(seconds{5}, *this, holds);
         constexpr std::array lasting{joint_trial::no_velocity, joint_trial::long_ramp, joint_trial::mode_refused};
         if (std::ranges::find(lasting, what) != lasting.end()) world_.faults.note(*fault_of_trial(what));
     }
@@ -110,12 +111,19 @@ class joint_system final : public actor {
             world_.faults.note(fault::joint_lasting_fault);
             motor().disturbed.fault = cia402::error_codes::over_current;
             return;
+        case holds:
+            // That it holds must be seen: two cycles later its targets are where it is.
+            if (world_.now() - mode_since_ < 3 * settings_.period) return world_.in(3 * settings_.period, *this, holds);
+            motor().disturbed.holds = !motor().disturbed.holds;
+            if (!motor().disturbed.holds) return world_.in(random_.between(seconds{1}, seconds{3}), *this, holds);
+            world_.faults.note(fault::joint_stops_following);
+            return world_.in(random_.between(milliseconds{40}, seconds{2}), *this, holds);
         default: return;
         }
     }
 
   private:
-    enum : std::uint8_t { step, command, other_user, fails };
+    enum : std::uint8_t { step, command, other_user, fails, holds };
     struct flight {
         std::vector<std::byte> frame{};
         time at{};
@@ -195,7 +203,8 @@ class joint_system final : public actor {
                                         .mode = static_cast<cia402::mode>(motor().values.mode_display),
                                         .target_position = motor().values.target_position,
                                         .is_operational = slave_.state() == ethercat::al_state::op,
-                                        .is_disturbed = is_disturbed});
+                                        .is_disturbed = is_disturbed,
+                                        .holds = motor().disturbed.holds});
         world_.compares(comparison::motor_limits);
         if (found) breaks(contract::limits, found->expected, found->found);
         look_at_rest();
@@ -203,6 +212,7 @@ class joint_system final : public actor {
         look_at_waits();
         tell_state();
         look_at_fault();
+        look_at_following();
         if (component_->state() != jaus::primary_status_code::initialize) initialize_since_ = world_.now();
         if (initialize_since_ != world_.now()) world_.compares(comparison::axis_wait);
         if (world_.now() - initialize_since_ > seconds{10})
@@ -229,6 +239,16 @@ class joint_system final : public actor {
         if (is_faulty) world_.compares(comparison::drive_fault_told);
         if (world_.now() - faulty_since_ > 3 * settings_.period + milliseconds{10})
             breaks(contract::s8, "Failure while the drive is in fault", "Ready");
+    }
+    void look_at_following() {
+        const auto mode = motor().values.mode_display;
+        if (std::exchange(mode_, mode) != mode) mode_since_ = world_.now();
+        has_position_ = has_position_ && is_ready();
+        const bool is_off = motor().disturbed.holds && has_position_;
+        if (!is_off) following_since_ = world_.now();
+        if (is_off) world_.compares(comparison::following_told);
+        if (world_.now() - following_since_ > 3 * settings_.period + milliseconds{10})
+            breaks(contract::s8, "Failure while the drive does not follow its target", "Ready");
     }
     // Outside of Ready it brakes by its ramp or by quick stop, and stands still.
     void look_at_rest() {
@@ -285,6 +305,7 @@ class joint_system final : public actor {
                                 .sequence_number = ++sequence_};
         if (acknowledgement == jaus::ack_nak::request) {
             wish_.reset();
+            has_position_ = false; // the drive may have to change its mode, for which it has a time
             asked_.push_back({head.sequence_number, head.command_code, world_.now(), wish_of(body)});
         }
         std::array<std::byte, 128> space{};
@@ -370,6 +391,7 @@ class joint_system final : public actor {
         if (const auto of = std::ranges::find(asked_, head.sequence_number, &asked::number); of != asked_.end()) {
             const bool is_last = std::next(of) == asked_.end();
             if (is_acknowledged && is_last) wish_ = of->wanted;
+            has_position_ = is_acknowledged && is_last && wish_ && wish_->is_position;
             if (wish_) wish_->since = world_.now(), wish_->from = motor().position();
             asked_.erase(of);
         }
@@ -411,6 +433,9 @@ class joint_system final : public actor {
     unsigned refusals_{};
     jaus::primary_status_code told_state_{};
     bool is_silent_{};
+    bool has_position_{}; // that of the last message is in force
+    time following_since_{}, mode_since_{};
+    std::int8_t mode_{};
     time silent_since_{}, pulse_at_{}, faulty_since_{}, initialize_since_{}, brake_since_{}, brake_told_{}, ready_at_{};
     std::optional<wish> wish_{};
     std::deque<asked> asked_{};

@@ -13,18 +13,23 @@ namespace simulation {
 /// sender are in a position to compare something: there are more of them.
 enum class joint_trial : std::uint8_t {
     plain,
-    period_changes, ///< another user of the bus has a shorter period
-    no_velocity,    ///< the process data have no velocity (606Ch)
-    long_ramp,      ///< a ramp that takes longer than the limit
-    slow_enabling,  ///< a brake that opens late
-    lasting_fault,  ///< a drive fault that Reset does not end
-    mode_refused,   ///< the drive does not take a mode
-    silent_sender,  ///< a sender without control that dies
+    period_changes,  ///< another user of the bus has a shorter period
+    no_velocity,     ///< the process data have no velocity (606Ch)
+    long_ramp,       ///< a ramp that takes longer than the limit
+    slow_enabling,   ///< a brake that opens late
+    lasting_fault,   ///< a drive fault that Reset does not end
+    mode_refused,    ///< the drive does not take a mode
+    silent_sender,   ///< a sender without control that dies
+    stops_following, ///< a drive that does not follow its target position for some time
 };
-inline constexpr unsigned joint_trial_count = 8;
+inline constexpr std::uint64_t joint_trial_turn = 16; ///< seeds that have all of them
 [[nodiscard]] constexpr joint_trial joint_trial_of(std::uint64_t seed) noexcept {
-    if (seed % 16 == 8 || seed % 16 == 12) return joint_trial::silent_sender;
-    return static_cast<joint_trial>(seed % joint_trial_count);
+    switch (seed % joint_trial_turn) {
+    case 8:
+    case 12: return joint_trial::silent_sender;
+    case 14: return joint_trial::stops_following;
+    default: return static_cast<joint_trial>(seed % 8);
+    }
 }
 
 /// Counted as this one each time.

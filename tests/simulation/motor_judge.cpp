@@ -14,7 +14,7 @@ bool has_power(cia402::state state) {
            state == cia402::state::fault_reaction_active;
 }
 bool is_following(const motor_sample& one) {
-    return one.is_operational && !one.is_disturbed && one.state == cia402::state::operation_enabled;
+    return one.is_operational && !one.is_disturbed && !one.holds && one.state == cia402::state::operation_enabled;
 }
 bool has_set_points(const motor_sample& one) {
     return is_following(one) && one.mode == cia402::mode::cyclic_synchronous_position;

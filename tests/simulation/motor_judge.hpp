@@ -27,6 +27,7 @@ struct motor_sample {
     std::int32_t target_position{};
     bool is_operational{}; ///< its slave is in OP
     bool is_disturbed{};   ///< the cause of a fault is there: the drive switches itself off
+    bool holds{};          ///< it does not follow its target position
 };
 
 /// What a motor did, and what it was allowed to do.

@@ -75,7 +75,7 @@ TEST_CASE("each kind of fault occurs in rings of drives and arms") {
 
 TEST_CASE("each kind of fault of joints occurs, and each check of them compares something") {
     run_result sum{};
-    for (std::uint64_t seed = 0; seed != joint_trial_count; ++seed) {
+    for (std::uint64_t seed = 0; seed != joint_trial_turn; ++seed) {
         const auto result = run({.seed = seed, .length = 30s, .system = system_kind::joints});
         REQUIRE_FALSE(result.broken);
         for (std::size_t i = 0; i != fault_count; ++i) sum.faults[i] += result.faults[i];
@@ -86,7 +86,7 @@ TEST_CASE("each kind of fault of joints occurs, and each check of them compares 
         CHECK((sum.faults[i] != 0) == fault_names[i].starts_with("joint-"));
     }
     for (auto i = static_cast<std::size_t>(comparison::motor_limits);
-         i <= static_cast<std::size_t>(comparison::drive_fault_told); ++i) {
+         i <= static_cast<std::size_t>(comparison::following_told); ++i) {
         INFO(comparison_names[i]);
         CHECK(sum.compared[i] != 0);
     }

@@ -50,16 +50,16 @@ class process_channel {
     /// Whether messages of this kind go by process data.
     [[nodiscard]] JAUSCAT_FUNCTION bool takes(const jaus::header& head) const;
     /// Whether a slave is left to bring to rest.
-    [[nodiscard]] JAUSCAT_FUNCTION bool has_slaves() const noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION bool has_slaves() noexcept;
     /// The ages of all inputs are at most `limit`.
     [[nodiscard]] JAUSCAT_FUNCTION bool has_inputs_within(duration limit, time_point now) const noexcept;
 
     [[nodiscard]] JAUSCAT_FUNCTION result<void, translate::errc> start(const process_times& times);
-    /// A slave was lost. No command waits any more; `refused(const jaus::header&)` gets those that did. Until the next
-    /// start the part works without this slave, also where it is back before others are.
+    /// A slave was lost: until the next start the part works without it, also where it is back before others are.
+    JAUSCAT_FUNCTION void leave_out(const slave_front& lost) noexcept;
+    /// The first of its slaves was lost. No command waits any more; `refused(const jaus::header&)` gets those that did.
     void end(auto&& refused) {
         is_started_ = false;
-        for (std::size_t i = 0; i != count_; ++i) is_absent_[i] = is_absent_[i] || fronts_[i]->data().outputs.empty();
         drop(refused);
     }
     /// No stop order waits any more either.
@@ -118,7 +118,6 @@ class process_channel {
         return last - wanted <= UINT32_MAX / 2;
     }
     [[nodiscard]] JAUSCAT_FUNCTION slave_group slaves() noexcept;
-    [[nodiscard]] JAUSCAT_FUNCTION slave_data data_of(std::size_t slave) const noexcept;
 
     process_part& part_;
     std::array<slave_front*, group_capacity> fronts_{};

@@ -13,10 +13,8 @@ JAUSCAT_FUNCTION bool process_channel::takes(const jaus::header& head) const {
     return head.data_flag == jaus::data_flag::only && !jaus::is_acknowledgement(head) && part_.takes(head.command_code);
 }
 
-JAUSCAT_FUNCTION bool process_channel::has_slaves() const noexcept {
-    bool has_any = false;
-    for (std::size_t i = 0; i != count_; ++i) has_any = has_any || !data_of(i).outputs.empty();
-    return has_any;
+JAUSCAT_FUNCTION bool process_channel::has_slaves() noexcept {
+    return std::ranges::any_of(slaves(), [](const slave_data& each) { return !each.outputs.empty(); });
 }
 
 JAUSCAT_FUNCTION bool process_channel::has_inputs_within(duration limit, time_point now) const noexcept {
@@ -36,6 +34,10 @@ JAUSCAT_FUNCTION result<void, translate::errc> process_channel::start(const proc
     else
         is_absent_ = were_absent;
     return started;
+}
+
+JAUSCAT_FUNCTION void process_channel::leave_out(const slave_front& lost) noexcept {
+    for (std::size_t i = 0; i != count_; ++i) is_absent_[i] = is_absent_[i] || fronts_[i] == &lost;
 }
 
 JAUSCAT_FUNCTION std::optional<drive_fault> process_channel::step(time_point now) {
@@ -99,12 +101,8 @@ process_channel::answer(const jaus::header& query, bytes body, std::span<std::by
 }
 
 JAUSCAT_FUNCTION slave_group process_channel::slaves() noexcept {
-    for (std::size_t i = 0; i != count_; ++i) data_[i] = data_of(i);
+    for (std::size_t i = 0; i != count_; ++i) data_[i] = is_absent_[i] ? slave_data{} : fronts_[i]->data();
     return std::span{std::as_const(data_)}.first(count_);
-}
-
-JAUSCAT_FUNCTION slave_data process_channel::data_of(std::size_t slave) const noexcept {
-    return is_absent_[slave] ? slave_data{} : fronts_[slave]->data();
 }
 
 } // namespace jauscat::bridging

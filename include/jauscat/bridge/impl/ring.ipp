@@ -936,6 +936,7 @@ JAUSCAT_FUNCTION void ring::lose(place& at, loss what, const ethercat::master_er
         unit.front().orders().remove_if(
             [&](const order& each) { return each.unit == &unit; },
             [&](const order& each) { unit.on_not_executed(each.header, {.why = refusal::slave_down}, now, out); });
+        if (auto* const process = unit.process()) process->leave_out(*at.front);
         if (were_up[i]) unit.on_slave_lost(now, out);
     }
     rebuild_process_data(now);

@@ -410,7 +410,6 @@ JAUSCAT_CONSTEXPR void axis::move(time_point now) noexcept {
 }
 
 JAUSCAT_CONSTEXPR void axis::hold() noexcept {
-    is_synchronised_ = false;
     is_braking_ = false;
     profile_.reset(feedback_.position, 0);
     torque_ = 0;
@@ -434,7 +433,8 @@ JAUSCAT_CONSTEXPR bool axis::synchronise(time_point now) noexcept {
         fail(shows_mode ? axis_errc::not_following : axis_errc::mode_refused);
         targets_.controlword = control_of(command::quick_stop);
     }
-    if (std::exchange(is_braking_, !is_at_standstill()))
+    // A drive that does not follow may do so at any time: the targets stay where it is.
+    if (std::exchange(is_braking_, !shows_mode && !is_at_standstill()) && !shows_mode)
         brake();
     else
         take_over();

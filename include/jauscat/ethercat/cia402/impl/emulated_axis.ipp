@@ -70,11 +70,8 @@ JAUSCAT_CONSTEXPR void emulated_axis::fail(std::uint16_t code) noexcept {
 }
 
 JAUSCAT_CONSTEXPR void emulated_axis::lose_communication() noexcept {
-    if (state_ == ds::operation_enabled || state_ == ds::quick_stop_active)
-        fail(error_codes::communication);
-    else if (state_ == ds::ready_to_switch_on || state_ == ds::switched_on)
-        enter(ds::switch_on_disabled);
-    values.controlword = 0;
+    if (state_ == ds::operation_enabled || state_ == ds::quick_stop_active) fail(error_codes::communication);
+    values.controlword = 0; // disable voltage
 }
 
 JAUSCAT_CONSTEXPR void emulated_axis::change_state(bool is_operational) noexcept {

@@ -9,7 +9,7 @@ JAUSCAT_CONSTEXPR std::optional<interpolation_period> interpolation_period_of(du
     constexpr int milliseconds = -3;
     std::int64_t count = std::chrono::nanoseconds{cycle}.count();
     int index = -9;
-    while (count > 0 && count % 10 == 0 && (index < milliseconds || count > highest)) {
+    while (count % 10 == 0 && (index < milliseconds || count > highest)) {
         count /= 10;
         ++index;
     }
