@@ -170,6 +170,38 @@ TEST_CASE("the targets of an axis that turns stay where its drive is, until that
     CHECK(r.mine.targets().position == held_at);
 }
 
+TEST_CASE("an axis that is disabled while it changes from velocities to positions brakes from where it is") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    REQUIRE(r.mine.run_at(500));
+    for (int i = 0; i != 200; ++i) { // the shaft is held
+        r.cycle();
+        r.drive.feedback.position = 7;
+    }
+    r.mine.set_mode(mode::cyclic_synchronous_position);
+    r.mine.disable();
+    for (int i = 0; i != 20; ++i) {
+        r.cycle();
+        CHECK(std::abs(r.mine.targets().position - 7) <= 1);
+    }
+}
+
+TEST_CASE("the targets of an axis stay where its drive is, if that does not follow them while the axis stops") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_position));
+    REQUIRE(r.mine.move_to(100'000));
+    r.follow(100);
+    r.drive.bits = 0;
+    const auto held_at = r.drive.feedback.position;
+    r.cycle(2); // the status tells it a cycle later
+    r.mine.disable();
+    for (int velocity = 1000; velocity > 0; velocity -= 100) {
+        r.drive.feedback.velocity = velocity;
+        r.cycle();
+        CHECK(std::abs(r.mine.targets().position - held_at) <= 1);
+    }
+}
+
 TEST_CASE("a drive that never follows fails the axis") {
     rig r;
     r.drive.bits = 0;

@@ -336,7 +336,10 @@ class joint_system final : public actor {
     }
 
     void give_command() {
-        world_.in(random_.between(milliseconds{200}, seconds{2}), *this, command);
+        const bool is_quick = random_.below(4) == 0;
+        world_.in(is_quick ? random_.between(milliseconds{1}, milliseconds{40})
+                           : random_.between(milliseconds{200}, seconds{2}),
+                  *this, command);
         if (what_ == joint_trial::silent_sender && motor_judge::turns(motor().velocity()) && random_.below(3) == 0) {
             if (!std::exchange(is_silent_, true)) {
                 silent_since_ = world_.now();
@@ -388,8 +391,9 @@ class joint_system final : public actor {
         if (!jaus::is_acknowledgement(head)) return;
         const bool is_acknowledged = head.ack_nak == jaus::ack_nak::ack;
         const auto code = head.command_code;
+        bool is_last = true; // no other message has been sent since
         if (const auto of = std::ranges::find(asked_, head.sequence_number, &asked::number); of != asked_.end()) {
-            const bool is_last = std::next(of) == asked_.end();
+            is_last = std::next(of) == asked_.end();
             if (is_acknowledged && is_last) wish_ = of->wanted;
             has_position_ = is_acknowledged && is_last && wish_ && wish_->is_position;
             if (wish_) wish_->since = world_.now(), wish_->from = motor().position();
@@ -403,7 +407,7 @@ class joint_system final : public actor {
         const bool is_motion = code == jaus::command_code_of<jaus::set_joint_velocities> ||
                                code == jaus::command_code_of<jaus::set_joint_positions>;
         const bool must_obey = what_ == joint_trial::plain || what_ == joint_trial::slow_enabling;
-        if (!is_motion || !must_obey) return;
+        if (!is_motion || !is_last || !must_obey) return;
         refusals_ = is_acknowledged ? 0 : refusals_ + 1;
         if (refusals_ == 3) breaks(contract::s6, "commands that are executed in Ready", "three refused in turn");
     }

@@ -49,13 +49,14 @@ class motor_judge {
 
   private:
     [[nodiscard]] std::optional<motor_breach> check_limits(const motor_sample& now) const;
-    [[nodiscard]] std::optional<motor_breach> check_power(const motor_sample& now) const;
+    [[nodiscard]] std::optional<motor_breach> check_power(const motor_sample& now);
     [[nodiscard]] std::optional<motor_breach> check_set_point(const motor_sample& now);
     [[nodiscard]] std::optional<motor_breach> check_acceleration(const motor_sample& now);
 
     joint_limits limits_;
     std::optional<motor_sample> last_{};
     time set_point_at_{}, ramp_since_{};
+    time without_power_at_{std::chrono::seconds{-1}};
     double ramp_from_{};
 };
 

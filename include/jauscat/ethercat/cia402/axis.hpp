@@ -247,9 +247,14 @@ class axis {
     JAUSCAT_CONSTEXPR void move(time_point now) noexcept;
     /// Targets that do not move the axis, whichever mode it is in.
     JAUSCAT_CONSTEXPR void hold() noexcept;
-    /// Until the drive shows the mode, and follows its target position where the mode has one, the axis comes to rest
-    /// by ramp in the mode that it is in; targets then follow where the axis is.
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool shows_mode() const noexcept;
+    /// It shows the mode, and follows its target position where the mode has one.
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool takes_targets() const noexcept;
+    /// Whether the drive takes targets; for that it has a time.
     JAUSCAT_CONSTEXPR bool synchronise(time_point now) noexcept;
+    /// Until the drive takes targets: the axis comes to rest by ramp in the mode that it is in; targets then follow
+    /// where the axis is.
+    JAUSCAT_CONSTEXPR void await_drive() noexcept;
     JAUSCAT_CONSTEXPR void take_over() noexcept;
     JAUSCAT_CONSTEXPR void brake() noexcept;
     /// The profile, at a velocity in units of position a second, from where the axis is.

@@ -405,9 +405,15 @@ JAUSCAT_CONSTEXPR void axis::move(time_point now) noexcept {
         return;
     }
     if (!std::exchange(was_seen_enabled_, true)) mode_since_.reset();
-    if (goal_ == goal::on && !synchronise(now)) return;
-    step(now);
+    if (goal_ == goal::on ? synchronise(now) : takes_targets())
+        step(now);
+    else
+        await_drive();
 }
+
+JAUSCAT_CONSTEXPR bool axis::takes_targets() const noexcept { return shows_mode() && follows(); }
+
+JAUSCAT_CONSTEXPR bool axis::shows_mode() const noexcept { return feedback_.mode == targets_.mode; }
 
 JAUSCAT_CONSTEXPR void axis::hold() noexcept {
     is_braking_ = false;
@@ -419,8 +425,7 @@ JAUSCAT_CONSTEXPR void axis::hold() noexcept {
 }
 
 JAUSCAT_CONSTEXPR bool axis::synchronise(time_point now) noexcept {
-    const bool shows_mode = feedback_.mode == targets_.mode;
-    if (shows_mode && follows()) {
+    if (takes_targets()) {
         if (!is_synchronised_ && !is_braking_) take_over();
         is_synchronised_ = true;
         is_braking_ = false;
@@ -430,15 +435,18 @@ JAUSCAT_CONSTEXPR bool axis::synchronise(time_point now) noexcept {
     if (is_synchronised_) lose_synchronisation(); // no longer follows: the target is discarded
     if (!mode_since_) mode_since_ = now;
     if (now - *mode_since_ >= options_.step_time) {
-        fail(shows_mode ? axis_errc::not_following : axis_errc::mode_refused);
+        fail(shows_mode() ? axis_errc::not_following : axis_errc::mode_refused);
         targets_.controlword = control_of(command::quick_stop);
     }
-    // A drive that does not follow may do so at any time: the targets stay where it is.
-    if (std::exchange(is_braking_, !shows_mode && !is_at_standstill()) && !shows_mode)
+    return false;
+}
+
+JAUSCAT_CONSTEXPR void axis::await_drive() noexcept {
+    // One that does not follow may do so at any time: the targets stay where it is.
+    if (std::exchange(is_braking_, !shows_mode() && !is_at_standstill()) && !shows_mode())
         brake();
     else
         take_over();
-    return false;
 }
 
 JAUSCAT_CONSTEXPR void axis::brake() noexcept {
