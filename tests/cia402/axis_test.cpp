@@ -1042,6 +1042,57 @@ TEST_CASE("an axis brakes in its old mode while the drive does not take the new 
     CHECK(r.drive.feedback.velocity == 0);
 }
 
+TEST_CASE("an axis that is disabled while it changes its mode brakes in the one that its drive shows") {
+    const auto old = GENERATE(mode::cyclic_synchronous_position, mode::cyclic_synchronous_velocity);
+    const auto next = GENERATE(mode::cyclic_synchronous_velocity, mode::cyclic_synchronous_torque);
+    if (old == next) return;
+    rig r{{.max_velocity = 1'000'000, .acceleration = 10'000'000, .deceleration = 10'000'000, .standstill = 0}};
+    REQUIRE(r.enable(old));
+    REQUIRE((old == mode::cyclic_synchronous_velocity ? r.mine.run_at(500'000) : r.mine.move_to(1'000'000)));
+    double velocity = 0; // of what the drive follows
+    const auto cycle = [&] {
+        r.cycle();
+        r.drive.feedback.mode = old;
+        if (old == mode::cyclic_synchronous_velocity) {
+            velocity = r.mine.targets().velocity;
+            r.drive.feedback.position += static_cast<int>(velocity / 1000);
+        } else {
+            velocity = (r.mine.targets().position - r.drive.feedback.position) * 1000.0;
+            r.drive.feedback.position = r.mine.targets().position;
+        }
+        r.drive.feedback.velocity = static_cast<int>(velocity);
+    };
+    for (int i = 0; i != 60; ++i) cycle();
+    REQUIRE(velocity >= 490'000);
+    r.mine.set_mode(next);
+    r.mine.disable();
+    for (int i = 0; i != 100; ++i) {
+        const double before = velocity;
+        cycle();
+        CHECK(std::abs(velocity - before) <= 12'000); // the deceleration, and two units
+        CHECK(r.mine.targets().torque == 0);
+    }
+    CHECK(velocity == 0);
+    CHECK(r.mine.state() == axis_state::disabled);
+    CHECK(r.mine.error().code == axis_errc::ok);
+}
+
+TEST_CASE("an axis that is disabled while it changes from torques pushes no more") {
+    rig r{slow};
+    REQUIRE(r.enable(mode::cyclic_synchronous_torque));
+    REQUIRE(r.mine.push_with(100));
+    r.cycle(200);
+    REQUIRE(r.mine.targets().torque == 100);
+    r.mine.set_mode(mode::cyclic_synchronous_velocity);
+    r.mine.disable();
+    for (int i = 0; i != 10; ++i) {
+        r.cycle();
+        r.drive.feedback.mode = mode::cyclic_synchronous_torque;
+        CHECK(r.mine.targets().torque == 0);
+    }
+    CHECK(r.mine.state() == axis_state::disabled);
+}
+
 TEST_CASE("an axis works with times that are never over, and with those that always are") {
     STATIC_REQUIRE([] {
         constexpr auto ever = duration::max();

@@ -1,10 +1,12 @@
 // The points of the contract of docs/safety.md, and what breaks one.
 #pragma once
 
+#include "simulation/faults.hpp"
 #include "simulation/generator.hpp"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -174,6 +176,16 @@ inline constexpr std::array<std::string_view, 70> comparison_names{"S1 acknowled
                                                                    "dictionaries follow their lists",
                                                                    "objects are created as they are listed",
                                                                    "frames of its own are taken"};
+/// The fault of few runs without which it has nothing to compare.
+[[nodiscard]] constexpr std::optional<fault> needed_by(comparison check) noexcept {
+    switch (check) {
+    case comparison::drive_fault_told: return fault::joint_lasting_fault;
+    case comparison::sender_silent: return fault::joint_sender_silent;
+    case comparison::following_told: return fault::joint_stops_following;
+    default: return std::nullopt;
+    }
+}
+
 /// How often each has compared something.
 using comparison_counts = std::array<std::uint64_t, comparison_names.size()>;
 

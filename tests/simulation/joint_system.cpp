@@ -235,9 +235,8 @@ class joint_system final : public actor {
     void look_at_fault() {
         const bool is_faulty =
             motor().state() == cia402::state::fault || motor().state() == cia402::state::fault_reaction_active;
-        if (!is_faulty || !is_ready()) faulty_since_ = world_.now();
         if (is_faulty) world_.compares(comparison::drive_fault_told);
-        if (world_.now() - faulty_since_ > 3 * settings_.period + milliseconds{10})
+        if (is_untold(is_faulty && is_ready(), faulty_since_))
             breaks(contract::s8, "Failure while the drive is in fault", "Ready");
     }
     void look_at_following() {
@@ -245,10 +244,14 @@ class joint_system final : public actor {
         if (std::exchange(mode_, mode) != mode) mode_since_ = world_.now();
         has_position_ = has_position_ && is_ready();
         const bool is_off = motor().disturbed.holds && has_position_;
-        if (!is_off) following_since_ = world_.now();
         if (is_off) world_.compares(comparison::following_told);
-        if (world_.now() - following_since_ > 3 * settings_.period + milliseconds{10})
+        if (is_untold(is_off, off_since_))
             breaks(contract::s8, "Failure while the drive does not follow its target", "Ready");
+    }
+    // Whether it has lasted for longer than it takes the component to leave Ready.
+    bool is_untold(bool lasts, time& since) const {
+        if (!lasts) since = world_.now();
+        return world_.now() - since > 3 * settings_.period + milliseconds{10};
     }
     // Outside of Ready it brakes by its ramp or by quick stop, and stands still.
     void look_at_rest() {
@@ -438,7 +441,7 @@ class joint_system final : public actor {
     jaus::primary_status_code told_state_{};
     bool is_silent_{};
     bool has_position_{}; // that of the last message is in force
-    time following_since_{}, mode_since_{};
+    time off_since_{}, mode_since_{};
     std::int8_t mode_{};
     time silent_since_{}, pulse_at_{}, faulty_since_{}, initialize_since_{}, brake_since_{}, brake_told_{}, ready_at_{};
     std::optional<wish> wish_{};

@@ -9,8 +9,8 @@
 
 namespace simulation {
 
-/// What is unusual about a run; the seed says which, one at a time, so that none hides another. There are
-/// more of those that have checks of their own.
+/// What is unusual about a run; the seed says which, one at a time, so that none hides another. There are more of those
+/// that have checks of their own.
 enum class joint_trial : std::uint8_t {
     plain,
     period_changes,  ///< another user of the bus has a shorter period

@@ -61,6 +61,18 @@ TEST_CASE("a drive that is switched off or leaves OP while its motor turns is fo
     REQUIRE_FALSE(last_breaks(3, turning, off));
 }
 
+TEST_CASE("a drive moves to an increment while it is switched on: 10 ms later it must not be switched off in motion") {
+    const auto breaks_off_at = [](int off) {
+        return last_breaks(off + 1, enabled, [=](motor_sample& one, int i) {
+            const bool has_power = i >= 2 && i != off;
+            one.state = has_power ? state::operation_enabled : state::switched_on;
+            one.velocity = i >= 2 ? 500 : 0;
+        });
+    };
+    REQUIRE_FALSE(breaks_off_at(10));
+    REQUIRE(breaks_off_at(11));
+}
+
 TEST_CASE("two profile steps in one cycle are found") {
     REQUIRE_FALSE(last_breaks(9, enabled, [](motor_sample& one, int) { one.target_position += 10; }));
     REQUIRE(last_breaks(9, enabled, [](motor_sample& one, int i) { one.target_position += i == 8 ? 19 : 10; }));

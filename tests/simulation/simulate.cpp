@@ -123,15 +123,9 @@ void show_faults(const totals& all) {
                     static_cast<unsigned long long>(all.faults[i]));
 }
 
-/// Whether it waits for a fault of few runs, which has not struck.
 bool waits_for_fault(const totals& all, std::size_t check) {
-    using enum comparison;
-    constexpr std::array faults{std::pair{drive_fault_told, fault::joint_lasting_fault},
-                                std::pair{sender_silent, fault::joint_sender_silent},
-                                std::pair{following_told, fault::joint_stops_following}};
-    return std::ranges::any_of(faults, [&](const auto& each) {
-        return each.first == static_cast<comparison>(check) && all.faults[static_cast<std::size_t>(each.second)] == 0;
-    });
+    const auto needed = needed_by(static_cast<comparison>(check));
+    return needed && all.faults[static_cast<std::size_t>(*needed)] == 0;
 }
 
 /// Whether each has compared something, as far as the run was long enough for it.

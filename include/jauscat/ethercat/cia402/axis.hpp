@@ -211,6 +211,8 @@ class axis {
     [[nodiscard]] JAUSCAT_CONSTEXPR bool is_position_mode() const noexcept;
     [[nodiscard]] JAUSCAT_CONSTEXPR bool is_velocity_mode() const noexcept;
     [[nodiscard]] JAUSCAT_CONSTEXPR bool is_torque_mode() const noexcept;
+    /// In a torque mode that the drive shows; until then it moves in its old mode.
+    [[nodiscard]] JAUSCAT_CONSTEXPR bool is_pushing() const noexcept;
     [[nodiscard]] constexpr bool has_bit(std::uint16_t bit) const noexcept { return (feedback_.statusword & bit) != 0; }
     [[nodiscard]] JAUSCAT_CONSTEXPR bool has_fault() const noexcept;
     [[nodiscard]] constexpr double velocity_factor() const noexcept { return options_.velocity_of_position; }

@@ -162,6 +162,8 @@ JAUSCAT_CONSTEXPR bool axis::is_torque_mode() const noexcept {
     return targets_.mode == mode::cyclic_synchronous_torque || targets_.mode == mode::profile_torque;
 }
 
+JAUSCAT_CONSTEXPR bool axis::is_pushing() const noexcept { return is_torque_mode() && shows_mode(); }
+
 JAUSCAT_CONSTEXPR bool axis::has_fault() const noexcept {
     return has_feedback_ && (seen_ == ds::fault || seen_ == ds::fault_reaction_active);
 }
@@ -384,13 +386,13 @@ JAUSCAT_CONSTEXPR std::uint16_t axis::control_towards_off(time_point now, bool i
 
 JAUSCAT_CONSTEXPR bool axis::has_ramp_time(time_point now) const noexcept {
     const duration whole = std::min(options_.rest_time, options_.ramp_time), left = whole - (now - goal_since_);
-    const double needed = is_torque_mode() ? detail::magnitude(torque_) / options_.torque_slope
-                                           : detail::magnitude(profile_.velocity()) / limits().deceleration;
+    const double needed = is_pushing() ? detail::magnitude(torque_) / options_.torque_slope
+                                       : detail::magnitude(profile_.velocity()) / limits().deceleration;
     return left > duration{} && needed <= std::chrono::duration<double>{left}.count();
 }
 
 JAUSCAT_CONSTEXPR bool axis::is_resting() const noexcept {
-    if (is_torque_mode()) return torque_ == 0;
+    if (is_pushing()) return torque_ == 0;
     return profile_.velocity() == 0 && is_at_standstill();
 }
 
@@ -442,11 +444,13 @@ JAUSCAT_CONSTEXPR bool axis::synchronise(time_point now) noexcept {
 }
 
 JAUSCAT_CONSTEXPR void axis::await_drive() noexcept {
-    // One that does not follow may do so at any time: the targets stay where it is.
-    if (std::exchange(is_braking_, !shows_mode() && !is_at_standstill()) && !shows_mode())
+    // One that has the mode may follow at any time: the targets stay where it is.
+    const bool may_brake = !shows_mode();
+    if (may_brake && is_braking_)
         brake();
     else
         take_over();
+    is_braking_ = may_brake && !is_at_standstill();
 }
 
 JAUSCAT_CONSTEXPR void axis::brake() noexcept {
