@@ -1077,6 +1077,45 @@ TEST_CASE("an axis that is disabled while it changes its mode brakes in the one 
     CHECK(r.mine.error().code == axis_errc::ok);
 }
 
+TEST_CASE("an axis that coasts out of torques begins with the velocity of its motor, however late the new mode comes") {
+    rig r{{.max_velocity = 1'000'000, .acceleration = 10'000'000, .deceleration = 10'000'000, .standstill = 0}};
+    REQUIRE(r.enable(mode::cyclic_synchronous_torque));
+    const auto coast = [&] {
+        r.drive.feedback.velocity = 500'000;
+        r.drive.feedback.position += 500;
+        r.cycle();
+    };
+    r.mine.set_mode(mode::cyclic_synchronous_position);
+    for (int i = 0; i != 30; ++i) {
+        coast();
+        r.drive.feedback.mode = mode::cyclic_synchronous_torque;
+        CHECK(r.mine.targets().position == r.drive.feedback.position + 500);
+    }
+    r.drive.feedback.mode = mode::cyclic_synchronous_position;
+    coast();
+    CHECK(std::abs(r.mine.targets().position - r.drive.feedback.position - 1000) <= 11); // where it is then, and a step
+    CHECK(std::abs(r.mine.targets().velocity - 500'000) <= 10'000);                      // the deceleration of a cycle
+}
+
+TEST_CASE("an axis that changes its mode back before its drive has followed goes on where that is") {
+    rig r{{.max_velocity = 1'000'000, .acceleration = 10'000'000, .deceleration = 10'000'000, .standstill = 0}};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    REQUIRE(r.mine.run_at(500'000));
+    r.cycle(60);
+    r.drive.feedback.velocity = 500'000;
+    r.mine.set_mode(mode::cyclic_synchronous_position);
+    r.cycle();
+    const auto told = r.mine.targets();
+    REQUIRE(r.drive.feedback.mode == mode::cyclic_synchronous_position);
+    r.drive.feedback.velocity = 0; // it has reached its first set-point, and stands until the second one comes
+    r.mine.set_mode(mode::cyclic_synchronous_velocity);
+    for (int velocity = told.velocity; velocity > 0; velocity = r.mine.targets().velocity) {
+        r.cycle();
+        CHECK(r.mine.targets().velocity >= velocity - 10'001);
+        CHECK(r.mine.targets().velocity < velocity);
+    }
+}
+
 TEST_CASE("an axis that is disabled while it changes from torques pushes no more") {
     rig r{slow};
     REQUIRE(r.enable(mode::cyclic_synchronous_torque));

@@ -210,7 +210,7 @@ class axis {
 
     [[nodiscard]] JAUSCAT_CONSTEXPR bool is_position_mode() const noexcept;
     [[nodiscard]] JAUSCAT_CONSTEXPR bool is_velocity_mode() const noexcept;
-    [[nodiscard]] JAUSCAT_CONSTEXPR bool is_torque_mode() const noexcept;
+    [[nodiscard]] JAUSCAT_CONSTEXPR static bool is_torque_mode(mode which) noexcept;
     /// In a torque mode that the drive shows; until then it moves in its old mode.
     [[nodiscard]] JAUSCAT_CONSTEXPR bool is_pushing() const noexcept;
     [[nodiscard]] constexpr bool has_bit(std::uint16_t bit) const noexcept { return (feedback_.statusword & bit) != 0; }

@@ -63,7 +63,7 @@ JAUSCAT_CONSTEXPR void axis::reset() noexcept {
 JAUSCAT_CONSTEXPR void axis::set_mode(mode wanted) noexcept {
     if (wanted == targets_.mode) return;
     // Its set-points are continued; velocities are taken from what the drive says.
-    is_braking_ = is_synchronised_ && targets_.mode == mode::cyclic_synchronous_position;
+    is_braking_ = is_braking_ || (is_synchronised_ && targets_.mode == mode::cyclic_synchronous_position);
     targets_.mode = wanted;
     lose_synchronisation();
     mode_since_.reset();
@@ -83,7 +83,7 @@ JAUSCAT_CONSTEXPR result<acceptance, axis_errc> axis::run_at(std::int32_t veloci
 }
 
 JAUSCAT_CONSTEXPR result<acceptance, axis_errc> axis::push_with(std::int16_t torque) noexcept {
-    if (const auto refused = refusal(is_torque_mode()); refused != axis_errc::ok) return refused;
+    if (const auto refused = refusal(is_torque_mode(targets_.mode)); refused != axis_errc::ok) return refused;
     torque_goal_ = std::clamp(static_cast<int>(torque), -options_.max_torque, int{options_.max_torque});
     return accepted(torque_goal_ == torque);
 }
@@ -158,11 +158,11 @@ JAUSCAT_CONSTEXPR bool axis::is_velocity_mode() const noexcept {
     return targets_.mode == mode::cyclic_synchronous_velocity || targets_.mode == mode::profile_velocity;
 }
 
-JAUSCAT_CONSTEXPR bool axis::is_torque_mode() const noexcept {
-    return targets_.mode == mode::cyclic_synchronous_torque || targets_.mode == mode::profile_torque;
+JAUSCAT_CONSTEXPR bool axis::is_torque_mode(mode which) noexcept {
+    return which == mode::cyclic_synchronous_torque || which == mode::profile_torque;
 }
 
-JAUSCAT_CONSTEXPR bool axis::is_pushing() const noexcept { return is_torque_mode() && shows_mode(); }
+JAUSCAT_CONSTEXPR bool axis::is_pushing() const noexcept { return is_torque_mode(targets_.mode) && shows_mode(); }
 
 JAUSCAT_CONSTEXPR bool axis::has_fault() const noexcept {
     return has_feedback_ && (seen_ == ds::fault || seen_ == ds::fault_reaction_active);
@@ -444,13 +444,13 @@ JAUSCAT_CONSTEXPR bool axis::synchronise(time_point now) noexcept {
 }
 
 JAUSCAT_CONSTEXPR void axis::await_drive() noexcept {
-    // One that has the mode may follow at any time: the targets stay where it is.
-    const bool may_brake = !shows_mode();
+    // One that has the mode may follow at any time: the targets stay where it is. Without torque it coasts.
+    const bool may_brake = !shows_mode() && !is_torque_mode(feedback_.mode);
     if (may_brake && is_braking_)
         brake();
     else
         take_over();
-    is_braking_ = may_brake && !is_at_standstill();
+    is_braking_ = may_brake && !is_resting();
 }
 
 JAUSCAT_CONSTEXPR void axis::brake() noexcept {
