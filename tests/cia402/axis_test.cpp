@@ -1116,6 +1116,35 @@ TEST_CASE("an axis that changes its mode back before its drive has followed goes
     }
 }
 
+TEST_CASE("set-points do not jump where the mode changes faster than the drive shows it") {
+    const int cycles_between = GENERATE(1, 2, 3, 4, 7);
+    rig r{{.max_velocity = 1'000'000, .acceleration = 10'000'000, .deceleration = 10'000'000, .standstill = 0}};
+    REQUIRE(r.enable(mode::cyclic_synchronous_velocity));
+    REQUIRE(r.mine.run_at(500'000));
+    axis_targets taken{r.mine.targets()};
+    const auto cycle = [&] { // a frame has the inputs of before its outputs
+        const auto told = r.mine.on_cycle(r.drive.feedback, r.now += 1ms);
+        auto& is = r.drive.feedback;
+        const auto before = is.position;
+        is.position = taken.mode == mode::cyclic_synchronous_position ? taken.position : before + taken.velocity / 1000;
+        is.velocity = (is.position - before) * 1000;
+        is.mode = std::exchange(taken, told).mode;
+    };
+    for (int i = 0; i != 60; ++i) cycle();
+    REQUIRE(r.drive.feedback.velocity == 500'000);
+    for (int changes = 0; changes != 8; ++changes) {
+        const bool is_position = r.mine.targets().mode == mode::cyclic_synchronous_position;
+        r.mine.set_mode(is_position ? mode::cyclic_synchronous_velocity : mode::cyclic_synchronous_position);
+        for (int i = 0; i != cycles_between; ++i) {
+            const auto before = taken;
+            cycle();
+            CHECK(std::abs(taken.velocity - before.velocity) <= 10'001);
+            if (before.mode == mode::cyclic_synchronous_position && taken.mode == before.mode)
+                CHECK(std::abs(taken.position - before.position) <= 510);
+        }
+    }
+}
+
 TEST_CASE("an axis that is disabled while it changes from torques pushes no more") {
     rig r{slow};
     REQUIRE(r.enable(mode::cyclic_synchronous_torque));

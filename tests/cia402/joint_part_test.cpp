@@ -473,6 +473,25 @@ TEST_CASE("commands that come faster than drives confirm them are executed, or r
     CHECK(d.watcher.stop_causes.size() == stops);
 }
 
+TEST_CASE("a command that is replaced while its drives prepare is answered in time, however often others follow") {
+    drives d;
+    d.on_step = [&] { // brakes that do not open
+        for (std::size_t i = 0; i != joints; ++i)
+            d.motor(i).disturbed.refused = jauscat::cia402::state::operation_enabled;
+    };
+    d.run(10ms);
+    const auto first = d.turn(1.0);
+    std::uint16_t last = first;
+    for (int i = 0; i != 10; ++i) {
+        d.run(100ms);
+        last = d.turn(2.0);
+    }
+    CHECK(d.answer(first) == jaus::ack_nak::nak);
+    CHECK(!d.answer(last)); // the drives have their time
+    CHECK(d.unit().state() == primary_status_code::ready);
+    CHECK(d.watcher.lost == 0);
+}
+
 TEST_CASE("a command that waits for its drives is not executed when another component gets control") {
     drives d;
     d.on_step = [&] { // brakes that do not open

@@ -405,7 +405,7 @@ class joint_system final : public actor {
         const bool is_stop =
             code == jaus::command_code_of<jaus::standby> || code == jaus::command_code_of<jaus::set_emergency>;
         if (is_stop && is_acknowledged) world_.compares(comparison::motor_rests);
-        if (is_stop && is_acknowledged && motor_judge::turns(motor().velocity()))
+        if (is_stop && is_acknowledged && motor_judge::turns(motor().velocity()) && !judge_.is_settling(world_.now()))
             breaks(contract::s2, "rest when a stop order is acknowledged", velocity_text());
         const bool is_motion = code == jaus::command_code_of<jaus::set_joint_velocities> ||
                                code == jaus::command_code_of<jaus::set_joint_positions>;

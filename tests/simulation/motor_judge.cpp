@@ -47,11 +47,10 @@ std::optional<motor_breach> motor_judge::check_limits(const motor_sample& now) c
     return std::nullopt;
 }
 
-// A drive that is switched on between two increments moves to one of them first.
 std::optional<motor_breach> motor_judge::check_power(const motor_sample& now) {
-    constexpr time to_increment = std::chrono::milliseconds{10};
     const bool is_new = now.at - without_power_at_ < to_increment;
     if (!has_power(now.state)) without_power_at_ = now.at;
+    if (has_power(now.state) && last_ && !has_power(last_->state)) powered_at_ = now.at;
     if (is_new || !last_ || now.is_disturbed || last_->is_disturbed || !turns(now.velocity)) return std::nullopt;
     if (last_->is_operational && !now.is_operational)
         return motor_breach{"OP until the motor stands still", "out of OP at " + number(now.velocity, "/s")};

@@ -46,8 +46,12 @@ class motor_judge {
     explicit motor_judge(const joint_limits& limits) noexcept : limits_{limits} {}
     /// To be called at least every millisecond.
     [[nodiscard]] std::optional<motor_breach> look(const motor_sample& now);
+    /// A drive that was switched on between two increments moves to one of them first.
+    [[nodiscard]] bool is_settling(time now) const noexcept { return now - powered_at_ < to_increment; }
 
   private:
+    static constexpr time to_increment = std::chrono::milliseconds{10};
+
     [[nodiscard]] std::optional<motor_breach> check_limits(const motor_sample& now) const;
     [[nodiscard]] std::optional<motor_breach> check_power(const motor_sample& now);
     [[nodiscard]] std::optional<motor_breach> check_set_point(const motor_sample& now);
@@ -56,7 +60,7 @@ class motor_judge {
     joint_limits limits_;
     std::optional<motor_sample> last_{};
     time set_point_at_{}, ramp_since_{};
-    time without_power_at_{std::chrono::seconds{-1}};
+    time without_power_at_{std::chrono::seconds{-1}}, powered_at_{std::chrono::seconds{-1}};
     double ramp_from_{};
 };
 

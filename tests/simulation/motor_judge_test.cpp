@@ -71,6 +71,19 @@ TEST_CASE("a drive moves to an increment while it is switched on: 10 ms later it
     };
     REQUIRE_FALSE(breaks_off_at(10));
     REQUIRE(breaks_off_at(11));
+
+    motor_judge judge{limits};
+    auto one = enabled;
+    REQUIRE_FALSE(judge.look(one));
+    REQUIRE_FALSE(judge.is_settling(0ms)); // it was on before
+    one.state = state::switched_on;
+    one.at = 1ms;
+    REQUIRE_FALSE(judge.look(one));
+    one.state = state::operation_enabled;
+    one.at = 2ms;
+    REQUIRE_FALSE(judge.look(one));
+    REQUIRE(judge.is_settling(11ms));
+    REQUIRE_FALSE(judge.is_settling(12ms));
 }
 
 TEST_CASE("two profile steps in one cycle are found") {

@@ -80,6 +80,9 @@ class process_channel {
     [[nodiscard]] JAUSCAT_FUNCTION bool has_command_of_others(const jaus::address& sender) const noexcept;
     /// Where as many wait as there is place for, the first of them: the next command supersedes it.
     [[nodiscard]] JAUSCAT_FUNCTION std::optional<jaus::header> make_room() noexcept;
+    /// Where the part prepares the last command, the first that has waited for its time: the last one supersedes it.
+    /// Commands that follow each other faster than the part prepares would keep it waiting.
+    [[nodiscard]] JAUSCAT_FUNCTION std::optional<jaus::header> drop_overdue(time_point now);
     /// There is room, and no stop order waits.
     [[nodiscard]] JAUSCAT_FUNCTION result<std::uint32_t, translate::errc> command(const jaus::header& head, bytes body,
                                                                                   duration limit, time_point now);
@@ -95,7 +98,7 @@ class process_channel {
         drop(refused);
         const auto number = part_.stop(what, slaves());
         has_rest_outputs_ = true;
-        if (limit) waiting_[waiting_count_++] = {{}, number, *limit, deadline{now, *limit}, what};
+        if (limit) waiting_[waiting_count_++] = {{}, number, *limit, deadline{now, *limit}, {}, what};
         return number;
     }
     /// The next command that has come to an end. A later command in the same outputs may have arrived before the slave
@@ -109,7 +112,8 @@ class process_channel {
         jaus::header header{};
         std::uint32_t number{};
         duration limit{};
-        deadline until{};
+        deadline until{};       // while the part prepares, from now on
+        deadline asked_until{}; // from when it was taken on
         std::optional<stop_order> stop{};
     };
 
@@ -118,6 +122,7 @@ class process_channel {
         return last - wanted <= UINT32_MAX / 2;
     }
     [[nodiscard]] JAUSCAT_FUNCTION slave_group slaves() noexcept;
+    [[nodiscard]] JAUSCAT_FUNCTION jaus::header drop_first() noexcept;
 
     process_part& part_;
     std::array<slave_front*, group_capacity> fronts_{};

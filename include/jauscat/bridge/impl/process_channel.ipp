@@ -52,6 +52,16 @@ JAUSCAT_FUNCTION bool process_channel::has_command_of_others(const jaus::address
 
 JAUSCAT_FUNCTION std::optional<jaus::header> process_channel::make_room() noexcept {
     if (waiting_count_ < waiting_.size()) return std::nullopt;
+    return drop_first();
+}
+
+JAUSCAT_FUNCTION std::optional<jaus::header> process_channel::drop_overdue(time_point now) {
+    const bool is_overdue = waiting_count_ > 1 && waiting_.front().asked_until.is_reached(now);
+    if (!is_overdue || !part_.is_preparing()) return std::nullopt;
+    return drop_first();
+}
+
+JAUSCAT_FUNCTION jaus::header process_channel::drop_first() noexcept {
     const auto first = waiting_.front().header;
     std::shift_left(waiting_.begin(), waiting_.end(), 1);
     --waiting_count_;
@@ -63,7 +73,7 @@ JAUSCAT_FUNCTION result<std::uint32_t, translate::errc> process_channel::command
     const auto number = part_.command(head, body, slaves(), now);
     if (!number) return number;
     has_rest_outputs_ = false;
-    waiting_[waiting_count_++] = {head, *number, limit, deadline{now, limit}, {}};
+    waiting_[waiting_count_++] = {head, *number, limit, deadline{now, limit}, deadline{now, limit}, {}};
     return number;
 }
 

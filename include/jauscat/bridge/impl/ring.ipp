@@ -1157,6 +1157,8 @@ JAUSCAT_FUNCTION std::optional<refusal_reason> ring::put_command(component& unit
     const bool is_merged = watcher.merged && process.merges_next();
     const auto number = process.command(head, body, unit.front().timing().data_limit, now);
     if (!number) return refusal_reason{.why = refusal::not_translated, .error = number.error()};
+    while (const auto older = process.drop_overdue(now))
+        unit.on_not_executed(*older, {.why = refusal::superseded}, now, out);
     watcher.into_image(unit.front(), *number, unit.front().data().outputs);
     if (is_merged) watcher.merged(unit, head);
     return std::nullopt;

@@ -205,8 +205,9 @@ class axis {
     static constexpr unsigned enough_words = 3;
     // From quick stop active, the longest way to operation enabled.
     static constexpr int steps_to_on = 4;
-    // Cycles after the start of homing in which its status may be that of an earlier one.
-    static constexpr unsigned homing_latency = 4;
+    // Cycles after the start of homing, or after a second change of mode, in which the status may be that of the
+    // earlier one.
+    static constexpr unsigned status_latency = 4;
 
     [[nodiscard]] JAUSCAT_CONSTEXPR bool is_position_mode() const noexcept;
     [[nodiscard]] JAUSCAT_CONSTEXPR bool is_velocity_mode() const noexcept;
@@ -282,7 +283,8 @@ class axis {
     unsigned enable_words_{}; // "enable operation", one after the other, up to enough_words
     bool was_seen_enabled_{}; // in the last cycle
     bool is_synchronised_{};
-    bool is_braking_{}; // without synchronisation
+    bool is_braking_{};          // without synchronisation
+    unsigned doubtful_cycles_{}; // in which the mode that the drive shows may be an earlier one
     bool halted_{};
     bool is_after_halt_{};                    // the drive may still have the set-point of before
     time_point since_{};                      // the drive's state, or the goal

@@ -62,6 +62,7 @@ JAUSCAT_CONSTEXPR void axis::reset() noexcept {
 
 JAUSCAT_CONSTEXPR void axis::set_mode(mode wanted) noexcept {
     if (wanted == targets_.mode) return;
+    if (!is_synchronised_) doubtful_cycles_ = status_latency;
     // Its set-points are continued; velocities are taken from what the drive says.
     is_braking_ = is_braking_ || (is_synchronised_ && targets_.mode == mode::cyclic_synchronous_position);
     targets_.mode = wanted;
@@ -133,6 +134,7 @@ JAUSCAT_CONSTEXPR const axis_targets& axis::on_cycle(const axis_feedback& feedba
     const bool enables = targets_.controlword == control_of(command::enable_operation);
     enable_words_ = enables ? std::min(enable_words_ + 1, enough_words) : 0;
     move(now);
+    if (doubtful_cycles_ != 0) --doubtful_cycles_;
     return targets_;
 }
 
@@ -415,7 +417,9 @@ JAUSCAT_CONSTEXPR void axis::move(time_point now) noexcept {
 
 JAUSCAT_CONSTEXPR bool axis::takes_targets() const noexcept { return shows_mode() && follows(); }
 
-JAUSCAT_CONSTEXPR bool axis::shows_mode() const noexcept { return feedback_.mode == targets_.mode; }
+JAUSCAT_CONSTEXPR bool axis::shows_mode() const noexcept {
+    return feedback_.mode == targets_.mode && doubtful_cycles_ == 0;
+}
 
 JAUSCAT_CONSTEXPR void axis::hold() noexcept {
     is_braking_ = false;
@@ -455,7 +459,8 @@ JAUSCAT_CONSTEXPR void axis::await_drive() noexcept {
 
 JAUSCAT_CONSTEXPR void axis::brake() noexcept {
     profile_.step_at(0, limits(), step_);
-    if (feedback_.mode != mode::cyclic_synchronous_position) start_at(profile_.velocity());
+    // Set-points go on where the drive may have them.
+    if (feedback_.mode != mode::cyclic_synchronous_position && doubtful_cycles_ == 0) start_at(profile_.velocity());
     targets_.position = rounded(profile_.position());
     targets_.velocity = rounded(profile_.velocity() * velocity_factor());
 }
@@ -565,7 +570,7 @@ JAUSCAT_CONSTEXPR void axis::offer_set_point(time_point now) noexcept {
 JAUSCAT_CONSTEXPR void axis::watch_homing() noexcept {
     if (!is_homing_) return;
     targets_.controlword |= control_bits::start_homing;
-    if (homing_cycles_ < homing_latency) {
+    if (homing_cycles_ < status_latency) {
         ++homing_cycles_;
     } else if (has_bit(status_bits::homing_error)) {
         fail(axis_errc::homing_failed);
