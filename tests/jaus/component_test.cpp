@@ -1070,6 +1070,19 @@ TEST_CASE("a deferred command is watched before it is executed, and replaces oth
         REQUIRE_FALSE(a.core.control().is_moved_by(ocu_address));
         REQUIRE(loses(1500ms));
     }
+    SECTION("as long as one of its commands waits") {
+        const auto first = tell(boss_address, 1s, message_outcome::deferred);
+        const auto second = tell(boss_address, 1s, message_outcome::deferred);
+        finish(first, true, 1100ms);
+        tell(ocu_address, 1200ms, message_outcome::handled);
+        REQUIRE(a.core.control().is_moved_by(boss_address));
+        SECTION("its sender is watched") { REQUIRE(loses(1500ms)); }
+        SECTION("and no longer") {
+            finish(second, false, 1300ms);
+            tell(ocu_address, 1400ms, message_outcome::handled);
+            REQUIRE_FALSE(loses(1500ms));
+        }
+    }
     SECTION("after a stop it is not watched for a command that was refused for it") {
         const auto waits = tell(boss_address, 1s, message_outcome::deferred);
         a.hear(jaus::standby{}, boss_address, ack_nak::none, 0, 1s);

@@ -133,8 +133,8 @@ class component_control {
     struct mover {
         address sender{};
         watch life{};
-        bool is_in_force{}; // or may be; else it waits for its execution
-        bool waits{};       // one of its commands was deferred
+        bool is_in_force{};      // or may be; else it waits for its execution
+        std::uint32_t waiting{}; // its commands that were deferred, and are not finished
     };
 
     [[nodiscard]] constexpr std::span<const mover> moving() const noexcept {

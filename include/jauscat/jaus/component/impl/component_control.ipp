@@ -58,15 +58,15 @@ JAUSCAT_CONSTEXPR void component_control::obeyed(const header& head, message_out
     if (is_executed)
         replace_others(sender.sender);
     else
-        sender.waits = true;
+        ++sender.waiting;
 }
 
 JAUSCAT_CONSTEXPR void component_control::finished(const header& head, bool executed, time_point now) noexcept {
     if (!is_motion(head)) return;
     mover* found = mover_of(head.source);
     if (found == nullptr && executed) found = &watched(head.source, now);
-    if (found == nullptr) return; // the actuators were brought to rest meanwhile
-    found->waits = false;
+    if (found == nullptr) return;              // the actuators were brought to rest meanwhile
+    if (found->waiting != 0) --found->waiting; // else it is one from before the actuators were brought to rest
     found->is_in_force = true;
     if (executed) replace_others(head.source);
 }
@@ -109,7 +109,7 @@ JAUSCAT_CONSTEXPR void component_control::remove(const mover& gone) noexcept {
 JAUSCAT_CONSTEXPR void component_control::replace_others(const address& who) noexcept {
     for (std::size_t i = mover_count_; i-- != 0;) {
         movers_[i].is_in_force = movers_[i].sender == who;
-        if (!movers_[i].is_in_force && !movers_[i].waits) remove(movers_[i]);
+        if (!movers_[i].is_in_force && movers_[i].waiting == 0) remove(movers_[i]);
     }
 }
 
