@@ -10,6 +10,27 @@ struct start {
     std::chrono::nanoseconds time{};
 };
 
+/// Another user of the bus, who scans it once.
+struct scanning {
+    rig& r;
+    bool is_wanted{true};
+    std::size_t found{};
+
+    explicit scanning(rig& of) : r{of} {
+        r.bus.share({.begin = jaus::bound<&scanning::begin>(*this),
+                     .done = jaus::bound<&scanning::done>(*this),
+                     .cycle = jaus::bound<&scanning::cycle>(*this)});
+    }
+    scanning(const scanning&) = delete;
+    scanning& operator=(const scanning&) = delete;
+    bool begin(ethercat::master& idle) { return std::exchange(is_wanted, false) && idle.start(ethercat::scan{}); }
+    void done(ethercat::master& idle) {
+        found = idle.result<ethercat::scan>().value_or(0);
+        CHECK(r.bus.is_cleared());
+    }
+    void cycle() {}
+};
+
 bool are_all_up(rig& r) { return std::ranges::all_of(r.fronts, &bridging::slave_front::up); }
 
 start start_of(rig& r) {
@@ -99,23 +120,27 @@ TEST_CASE("a slave whose mailbox hangs is given up, and the others that are conf
 
 TEST_CASE("slaves that another user of the bus has scanned are cleared, and not scanned again") {
     rig r{2};
-    struct scanning {
-        rig& r;
-        bool is_wanted{true};
-        std::size_t found{};
-        bool begin(ethercat::master& idle) { return std::exchange(is_wanted, false) && idle.start(ethercat::scan{}); }
-        void done(ethercat::master& idle) {
-            found = idle.result<ethercat::scan>().value_or(0);
-            CHECK(r.bus.is_cleared());
-        }
-        void cycle() {}
-    } others{r};
-    r.bus.share({.begin = jaus::bound<&scanning::begin>(others),
-                 .done = jaus::bound<&scanning::done>(others),
-                 .cycle = jaus::bound<&scanning::cycle>(others)});
+    scanning others{r};
     CHECK(!r.bus.is_cleared());
     r.run_until_ready();
     CHECK(others.found == 2);
+}
+
+TEST_CASE("slaves that another user of the bus scans while they work are lost at once, and brought up again") {
+    const bool cyclic = GENERATE(false, true);
+    rig r{3, cyclic};
+    r.run_until_ready();
+    for (std::size_t i = 0; i != 3; ++i) r.run_until_acknowledged(r.drive(50, i));
+    scanning others{r};
+    r.run_until([&] { return r.watcher.lost == 3; }, 100ms);
+    CHECK(others.found == 3);
+    r.run_until_ready();
+    CHECK(are_all_up(r));
+    CHECK(r.watcher.lost == 3);
+    for (std::size_t i = 0; i != 3; ++i) {
+        CHECK(r.motor(i).effort == 0);
+        r.run_until_acknowledged(r.drive(50, i), 1s);
+    }
 }
 
 TEST_CASE("a slave is removed while it is brought up with others") {

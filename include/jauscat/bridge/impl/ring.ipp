@@ -1019,6 +1019,11 @@ JAUSCAT_FUNCTION void ring::watch_cycles(time_point now, jaus::message_sink out)
         else if (each.silence >= each.front->timing().longest_silence)
             lose(each, loss::no_answer, {.code = ethercat::master_errc::no_reply}, now, out);
     }
+    // Another user of the bus has scanned it: the slave has no station address any more.
+    for (place& each : places())
+        if (is_exchanged(each) && each.status == nullptr)
+            lose(each, loss::no_station,
+                 {.code = ethercat::master_errc::wrong_station, .station = each.front->station()}, now, out);
 }
 
 JAUSCAT_FUNCTION void ring::skip_to_next_cycle(time_point now) noexcept {
