@@ -747,6 +747,28 @@ TEST_CASE("a consumer updates an event that continues meanwhile") {
     REQUIRE(exchange() == std::vector{event_notice::event});
 }
 
+TEST_CASE("a consumer whose update is rejected asks for the event as it was when the provider has lost it") {
+    consumer c;
+    jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
+    REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()));
+    c.hear(confirmed("00 01 04 44 07 00"));
+    const auto first = c.sent[0];
+    wanted.event_type = event_type::periodic;
+    wanted.requested_periodic_rate = 10;
+    REQUIRE(c.events.update(0, wanted, instant{1s}, c.sent.sink()));
+    REQUIRE(c.hear(from_hex("06 02 f4 01 01 28 01 01 01 2a 01 02 03 00 00 00 00 02 04")).what ==
+            event_notice::rejected);
+    CHECK(c.first().type == event_type::every_change);
+    while (c.first().state == requested_state::active) {
+        c.sent.clear();
+        c.events.on_time(*c.events.next_event(), c.sent.sink());
+    }
+    REQUIRE(c.first().state == requested_state::stale);
+    REQUIRE(c.sent.size() == 1);
+    CHECK(c.sent[0] == first);
+    CHECK(c.hear(confirmed("00 01 04 44 08 00")).what == event_notice::confirmed);
+}
+
 TEST_CASE("a consumer abandons requests that are rejected or never answered") {
     consumer c;
     const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};

@@ -102,8 +102,10 @@ template <std::size_t Capacity> class event_consumer {
                     e.confirmed = e.confirmed && e.state != requested_state::stale;
                     e.requests = 0;
                     e.state = requested_state::rejected;
-                    if (e.confirmed) activate(e, now); // an update
-                    if (gone) e = {};
+                    if (gone)
+                        e = {};
+                    else if (e.confirmed) // an update
+                        restore(e, now);
                 });
             });
         case command_code_of<event>:
@@ -175,6 +177,18 @@ template <std::size_t Capacity> class event_consumer {
         e.state = requested_state::active;
         e.due = saturating_add(now, comes_at_rate(e) ? silent_periods * period_of(e.rate) : silence_);
     }
+    constexpr void restore(requested_event& e, time_point now) const noexcept {
+        e.request = e.accepted;
+        const auto holds = setup_of(e);
+        e.type = holds.event_type;
+        e.local_request_id = holds.local_request_id;
+        activate(e, now);
+    }
+    [[nodiscard]] static constexpr create_event setup_of(const requested_event& e) noexcept {
+        create_event setup{};
+        static_cast<void>(wire::decode(setup, std::span<const std::byte>{e.request.begin(), e.request.size()}));
+        return setup;
+    }
     // A late confirmation also makes an event at the provider, which must be cancelled.
     [[nodiscard]] static constexpr bool may_be_answered(const requested_event& e) noexcept {
         return waits(e) || (e.state == requested_state::unanswered && !e.confirmed);
@@ -194,8 +208,7 @@ template <std::size_t Capacity> class event_consumer {
     }
     // A cancel before the ID is known repeats the request, and the answer has the ID.
     constexpr void ask(requested_event& e, time_point now, message_sink out) noexcept {
-        create_event wanted{};
-        static_cast<void>(wire::decode(wanted, std::span<const std::byte>{e.request.begin(), e.request.size()}));
+        const auto wanted = setup_of(e);
         if (!e.confirmed || e.state == requested_state::stale)
             send(e, wanted, out);
         else if (e.state == requested_state::updating)
@@ -248,6 +261,7 @@ template <std::size_t Capacity> class event_consumer {
         e.requests = 0;
         if (e.state != requested_state::cancelling && e.state != requested_state::unanswered) {
             e.confirmed = true;
+            e.accepted = e.request;
             activate(e, now);
             outcome.what = event_notice::confirmed;
         } else if (e.confirmed) {

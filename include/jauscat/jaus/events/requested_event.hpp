@@ -42,6 +42,8 @@ struct requested_event {
     std::uint64_t lost{};            ///< events missing between those, as far as 8 bits can count
     wire::inline_list<std::byte, max_create_event_size>
         request{}; ///< the body of Create Event, or what Update Event has
+    wire::inline_list<std::byte, max_create_event_size>
+        accepted{}; ///< the one that was confirmed last; it holds again after a rejected update
 };
 
 /// Meaning of a message to an event consumer.
