@@ -207,6 +207,40 @@ TEST_CASE("large data sets of one source and code do not overtake each other, al
     CHECK((t.arrived[2] == other));
 }
 
+TEST_CASE("a large data set overtakes none of its source and code to all nodes, also where that waits for another") {
+    large_data_queue queue{std::size_t{1} << 20U, {}};
+    auto plain = head;
+    plain.ack_nak = jaus::ack_nak::none;
+    auto to_all = plain, to_other = plain;
+    to_all.destination.subsystem = to_all.destination.node = 255;
+    to_other.destination.node = 7;
+    for (const auto& each : {plain, to_all, to_other}) REQUIRE(queue.push(each, bytes(20'000)) == jaus::errc::ok);
+    std::vector<jaus::address> begun;
+    while (const auto next = queue.next_event())
+        queue.on_time(*next,
+                      [&](std::span<const std::byte> packet) {
+                          const auto sent = jaus::split(packet).header;
+                          if (sent.data_flag == jaus::data_flag::first) begun.push_back(sent.destination);
+                      },
+                      {});
+    CHECK(begun == std::vector{plain.destination, to_all.destination, to_other.destination});
+}
+
+TEST_CASE("a large report that takes the place of one that waits needs no room beside it") {
+    large_data_queue queue{10'000, {}};
+    auto report = head;
+    report.command_code = 0x4000;
+    report.ack_nak = jaus::ack_nak::none;
+    REQUIRE(queue.push(report, bytes(9000)) == jaus::errc::ok);
+    CHECK(queue.push(report, bytes(9500)) == jaus::errc::ok);
+    CHECK(queue.size() == 1);
+    CHECK(queue.push(report, bytes(10'001)) == jaus::errc::no_space);
+    CHECK(queue.size() == 1);
+    report.destination.component = 99;
+    CHECK(queue.push(report, bytes(501)) == jaus::errc::no_space);
+    CHECK(queue.push(report, bytes(500)) == jaus::errc::ok);
+}
+
 TEST_CASE("a large data set waits for none to another node, and all share the pacing") {
     transfer t{conditions{}};
     auto elsewhere = head; // where nobody answers

@@ -65,17 +65,18 @@ class large_data_queue {
 
     /// Errors: no_space above `most` bytes, and those of large_data_sender.
     [[nodiscard]] jaus::errc push(const jaus::header& head, std::span<const std::byte> body) {
-        if (body.size() > most_ - waiting_) return jaus::errc::no_space;
+        const auto old = superseded_by(head);
+        const auto left = old == sets_.end() ? waiting_ : waiting_ - (*old)->body.size();
+        if (body.size() > most_ - left) return jaus::errc::no_space;
         auto made = std::make_unique<entry>(head, body);
         if (made->sender.error() != jaus::errc::ok) return made->sender.error();
-        if (head.ack_nak == jaus::ack_nak::request && jaus::names_one_component(head.destination)) {
+        if (is_awaited(head)) {
             made->packets.resize(made->sender.packets());
             made->digest = digest_of(body);
             made->digests = digests_of(body);
         }
-        waiting_ += body.size();
-        if (const auto old = superseded_by(*made); old != sets_.end()) {
-            waiting_ -= (*old)->body.size();
+        waiting_ = left + body.size();
+        if (old != sets_.end()) {
             *old = std::move(made);
             return jaus::errc::ok;
         }
@@ -201,11 +202,14 @@ class large_data_queue {
                 set.packets[i].is_alike = set.digests[i] == one.digests[i];
         }
     }
+    /// Its packets are acknowledged.
+    [[nodiscard]] static bool is_awaited(const jaus::header& head) noexcept {
+        return head.ack_nak == jaus::ack_nak::request && jaus::names_one_component(head.destination);
+    }
     /// An earlier report that waits, without acknowledgement: nobody wants its old values.
-    [[nodiscard]] std::deque<std::unique_ptr<entry>>::iterator superseded_by(const entry& made) noexcept {
-        const auto& head = made.head;
+    [[nodiscard]] std::deque<std::unique_ptr<entry>>::iterator superseded_by(const jaus::header& head) noexcept {
         const bool is_report = head.command_code >= 0x4000 && head.command_code < 0x6000;
-        if (!is_report || !made.packets.empty()) return sets_.end();
+        if (!is_report || is_awaited(head)) return sets_.end();
         return std::ranges::find_if(sets_, [&](const auto& each) {
             return each->packets.empty() && each->head.command_code == head.command_code &&
                    each->head.source == head.source && each->head.destination == head.destination;
@@ -237,7 +241,7 @@ class large_data_queue {
             const auto ready = waits ? time_point::max() : ready_at(**at);
             if (ready > now) {
                 choose_at_ = std::min(choose_at_, ready);
-                if (!waits) before.push_back(head);
+                before.push_back(head);
                 ++at;
                 continue;
             }
