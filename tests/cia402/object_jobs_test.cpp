@@ -120,4 +120,8 @@ TEST_CASE("a report is refused while an object has not been read") {
     for (std::size_t i = 0; i != joints; ++i)
         uploads.on_read(i, i == 4 ? std::span<const std::byte>{} : std::span<const std::byte>{uploads.jobs()[i].into});
     CHECK(uploads.report(a.scales, a.body).error() == translate::errc::wrong_size);
+    uploads.on_read(4, uploads.jobs()[4].into); // the others are of an earlier reading
+    CHECK(uploads.report(a.scales, a.body).error() == translate::errc::wrong_size);
+    for (std::size_t i = 0; i != joints; ++i) uploads.on_read(i, uploads.jobs()[i].into);
+    CHECK(uploads.report(a.scales, a.body));
 }

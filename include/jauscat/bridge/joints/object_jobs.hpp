@@ -109,8 +109,9 @@ template <class Table, std::size_t Axes> class object_uploads {
     /// wrong_size (an object has not been read, or has another size), no_space.
     [[nodiscard]] result<std::span<std::byte>, translate::errc> report(scales parameters,
                                                                        std::span<std::byte> body) noexcept {
-        for (bool& each : is_read_)
-            if (!std::exchange(each, false)) return translate::errc::wrong_size;
+        const bool is_whole = std::ranges::find(is_read_, false) == is_read_.end();
+        is_read_.fill(false); // also after a failure: a report has values of one reading
+        if (!is_whole) return translate::errc::wrong_size;
         return translate::object_translator<Table>::from_objects(
             [&, next = std::size_t{}]<class Object>(std::size_t, const Object&) mutable {
                 using value_type = typename Object::value_type;
