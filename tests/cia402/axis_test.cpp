@@ -1097,6 +1097,30 @@ TEST_CASE("an axis that coasts out of torques begins with the velocity of its mo
     CHECK(std::abs(r.mine.targets().velocity - 500'000) <= 10'000);                      // the deceleration of a cycle
 }
 
+TEST_CASE("an axis whose drive moves by itself is halted when its mode changes, and begins with the motor's velocity") {
+    const auto old = GENERATE(mode::profile_position, mode::homing);
+    rig r{{.max_velocity = 1'000'000, .acceleration = 10'000'000, .deceleration = 10'000'000, .standstill = 0}};
+    REQUIRE(r.enable(old));
+    const auto cycle = [&](int velocity, mode shown) {
+        r.drive.feedback.velocity = velocity;
+        r.drive.feedback.position += velocity / 1000;
+        r.cycle();
+        r.drive.feedback.mode = shown;
+    };
+    cycle(500'000, old);
+    REQUIRE((r.mine.targets().controlword & control_bits::halt) == 0);
+    r.mine.set_mode(mode::cyclic_synchronous_velocity);
+    for (int i = 0; i != 30; ++i) {
+        cycle(500'000, old);
+        CHECK((r.mine.targets().controlword & control_bits::halt) != 0);
+        CHECK(r.mine.targets().velocity == 500'000);
+    }
+    cycle(500'000, mode::cyclic_synchronous_velocity);
+    cycle(500'000, mode::cyclic_synchronous_velocity);
+    CHECK((r.mine.targets().controlword & control_bits::halt) == 0);
+    CHECK(std::abs(r.mine.targets().velocity - 500'000) <= 10'000); // the deceleration of a cycle
+}
+
 TEST_CASE("an axis that changes its mode back before its drive has followed goes on where that is") {
     rig r{{.max_velocity = 1'000'000, .acceleration = 10'000'000, .deceleration = 10'000'000, .standstill = 0}};
     REQUIRE(r.enable(mode::cyclic_synchronous_velocity));

@@ -105,6 +105,14 @@ class drives {
         return true;
     }
 
+    /// A closed brake keeps its drive from operation enabled.
+    void close_brake(std::size_t i, bool closed) {
+        motor(i).disturbed.refused = closed ? std::optional{jauscat::cia402::state::operation_enabled} : std::nullopt;
+    }
+    void close_brakes(bool closed) {
+        for (std::size_t i = 0; i != joints; ++i) close_brake(i, closed);
+    }
+
     unsigned frames_to_lose{};
     std::array<joint_device<1>, joints> devices{};
     bridging::joint_part<joints> part;
@@ -429,12 +437,10 @@ TEST_CASE("commands are executed by drives that need long to enable, and the las
     drives d;
     const auto open_in = GENERATE(150ms, 900ms);
     std::array<jauscat::time_point, joints> closed_since{};
-    d.on_step = [&] { // brakes
+    d.on_step = [&] {
         for (std::size_t i = 0; i != joints; ++i) {
             if (d.motor(i).state() != jauscat::cia402::state::switched_on) closed_since[i] = d.now();
-            const bool is_open = d.now() - closed_since[i] >= open_in;
-            d.motor(i).disturbed.refused =
-                is_open ? std::nullopt : std::optional{jauscat::cia402::state::operation_enabled};
+            d.close_brake(i, d.now() - closed_since[i] < open_in);
         }
     };
     d.run(10ms);
@@ -475,10 +481,7 @@ TEST_CASE("commands that come faster than drives confirm them are executed, or r
 
 TEST_CASE("a command that is replaced while its drives prepare is answered in time, however often others follow") {
     drives d;
-    d.on_step = [&] { // brakes that do not open
-        for (std::size_t i = 0; i != joints; ++i)
-            d.motor(i).disturbed.refused = jauscat::cia402::state::operation_enabled;
-    };
+    d.close_brakes(true);
     d.run(10ms);
     const auto first = d.turn(1.0);
     std::uint16_t last = first;
@@ -494,10 +497,7 @@ TEST_CASE("a command that is replaced while its drives prepare is answered in ti
 
 TEST_CASE("a command that waits for its drives is not executed when another component gets control") {
     drives d;
-    d.on_step = [&] { // brakes that do not open
-        for (std::size_t i = 0; i != joints; ++i)
-            d.motor(i).disturbed.refused = jauscat::cia402::state::operation_enabled;
-    };
+    d.close_brakes(true);
     d.run(10ms);
     const auto number = d.turn(2.0);
     d.run(100ms);
@@ -506,9 +506,7 @@ TEST_CASE("a command that waits for its drives is not executed when another comp
     d.run_until([&] { return d.answer(number).has_value(); }, 100ms);
     CHECK(d.answer(number) == jaus::ack_nak::nak);
     CHECK(d.watcher.stop_causes.back() == bridging::stop_cause::control_taken);
-    d.on_step = [&] {
-        for (std::size_t i = 0; i != joints; ++i) d.motor(i).disturbed.refused.reset();
-    };
+    d.close_brakes(false);
     d.run(500ms);
     CHECK(d.all_at_rest());
     CHECK(d.unit().state() == primary_status_code::ready);

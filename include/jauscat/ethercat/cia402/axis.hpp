@@ -157,7 +157,8 @@ class axis {
     /// Clears the error; resets a fault of the drive by the edge of its bit. The axis is off afterwards.
     JAUSCAT_CONSTEXPR void reset() noexcept;
     /// Changes the mode of operation. Targets set before are discarded; the axis comes to rest by ramp, also in its old
-    /// mode, which the drive may keep for a time.
+    /// mode, which the drive may keep for a time. After a second change, before the drive has followed the first, what
+    /// the drive shows counts from the fifth cycle on: until then it may show an earlier mode.
     JAUSCAT_CONSTEXPR void set_mode(mode wanted) noexcept;
 
     /// Modes: cyclic synchronous position, through a profile within the limits; profile position. Errors: not_enabled,
@@ -212,6 +213,8 @@ class axis {
     [[nodiscard]] JAUSCAT_CONSTEXPR bool is_position_mode() const noexcept;
     [[nodiscard]] JAUSCAT_CONSTEXPR bool is_velocity_mode() const noexcept;
     [[nodiscard]] JAUSCAT_CONSTEXPR static bool is_torque_mode(mode which) noexcept;
+    /// To its set-point or its home, whatever the targets are.
+    [[nodiscard]] JAUSCAT_CONSTEXPR static bool moves_by_itself(mode which) noexcept;
     /// In a torque mode that the drive shows; until then it moves in its old mode.
     [[nodiscard]] JAUSCAT_CONSTEXPR bool is_pushing() const noexcept;
     [[nodiscard]] constexpr bool has_bit(std::uint16_t bit) const noexcept { return (feedback_.statusword & bit) != 0; }

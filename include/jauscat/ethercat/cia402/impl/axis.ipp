@@ -164,6 +164,10 @@ JAUSCAT_CONSTEXPR bool axis::is_torque_mode(mode which) noexcept {
     return which == mode::cyclic_synchronous_torque || which == mode::profile_torque;
 }
 
+JAUSCAT_CONSTEXPR bool axis::moves_by_itself(mode which) noexcept {
+    return which == mode::profile_position || which == mode::homing;
+}
+
 JAUSCAT_CONSTEXPR bool axis::is_pushing() const noexcept { return is_torque_mode(targets_.mode) && shows_mode(); }
 
 JAUSCAT_CONSTEXPR bool axis::has_fault() const noexcept {
@@ -448,8 +452,11 @@ JAUSCAT_CONSTEXPR bool axis::synchronise(time_point now) noexcept {
 }
 
 JAUSCAT_CONSTEXPR void axis::await_drive() noexcept {
-    // One that has the mode may follow at any time: the targets stay where it is. Without torque it coasts.
-    const bool may_brake = !shows_mode() && !is_torque_mode(feedback_.mode);
+    // One that has the mode may follow at any time: the targets stay where it is. Without torque it coasts, and where
+    // it moves by itself it is halted.
+    const bool is_by_itself = !shows_mode() && moves_by_itself(feedback_.mode);
+    const bool may_brake = !shows_mode() && !is_torque_mode(feedback_.mode) && !is_by_itself;
+    if (is_by_itself) targets_.controlword |= control_bits::halt;
     if (may_brake && is_braking_)
         brake();
     else
