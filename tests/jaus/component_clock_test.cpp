@@ -135,6 +135,14 @@ TEST_CASE("setting the time keeps the nearest date, also across the end of a mon
     REQUIRE(c.query(0s) == stamps{at(1, 0), on(1, 1, 2024)});
     REQUIRE(c.set(at(31, 23), {}));
     REQUIRE(c.query(0s) == stamps{at(31, 23), on(31, 12, 2023)});
+
+    // The last month has no such day.
+    REQUIRE(c.set(at(1, 1), on(1, 12, 2009)));
+    REQUIRE(c.set(at(31, 23), {}));
+    REQUIRE(c.query(0s) == stamps{at(31, 23), on(31, 10, 2009)});
+    REQUIRE(c.set(at(1, 1), on(1, 3, 2023)));
+    REQUIRE(c.set(at(30, 23), {}));
+    REQUIRE(c.query(0s) == stamps{at(30, 23), on(30, 1, 2023)});
 }
 
 TEST_CASE("setting the date keeps the time of day") {

@@ -54,8 +54,8 @@ class component_clock {
     [[nodiscard]] JAUSCAT_CONSTEXPR civil_time running(time_point now) const noexcept;
 
     [[nodiscard]] JAUSCAT_CONSTEXPR bool set_from(const set_time& m, time_point now) noexcept;
-    // The date with this day of the month that brings the clock nearest to what it shows. Of three months in a row one
-    // has 31 days, so there is one.
+    // The date with this day of the month that brings the clock nearest to what it shows. Of two months in a row one
+    // has 31 days, so there is one within two months, before and after.
     [[nodiscard]] JAUSCAT_CONSTEXPR static std::chrono::sys_days nearest(civil_time shown, duration time,
                                                                          std::uint8_t day) noexcept;
 

@@ -110,7 +110,7 @@ JAUSCAT_CONSTEXPR std::chrono::sys_days component_clock::nearest(civil_time show
     const year_month_day today{floor<days>(shown)};
     const auto distance = [&](sys_days date) { return abs(date + time - shown); };
     std::optional<sys_days> best;
-    for (const int step : {-1, 0, 1}) {
+    for (const int step : {-2, -1, 0, 1, 2}) {
         const year_month_day date = (today.year() / today.month() + months{step}) / std::chrono::day{day};
         if (date.ok() && (!best || distance(date) < distance(*best))) best = date;
     }
