@@ -74,15 +74,21 @@ std::optional<motor_breach> motor_judge::check_set_point(const motor_sample& now
     return motor_breach{"a set-point at most " + number(most, " from the last one"), number(step, "")};
 }
 
-// Over 50 ms, since each set-point is followed with a delay.
+// Over 50 ms, since each set-point is followed with a delay. A drive that takes positions in motion waits for its
+// second set-point, and may change its mode again meanwhile: neither its first nor its last velocity is that of a
+// moment in a mode that it has just taken.
 std::optional<motor_breach> motor_judge::check_acceleration(const motor_sample& now) {
     constexpr time window = std::chrono::milliseconds{50};
-    if (!is_following(now) || !last_ || !is_following(*last_) || now.mode != last_->mode) {
+    const bool follows = is_following(now) && last_ && is_following(*last_);
+    const bool has_mode = now.at - mode_since_ >= to_second_set_point;
+    const bool is_new_mode = follows && now.mode != last_->mode;
+    if (!follows || is_new_mode) mode_since_ = now.at;
+    if (!follows || (is_new_mode && has_mode)) {
         ramp_since_ = now.at;
         ramp_from_ = now.velocity;
         return std::nullopt;
     }
-    if (now.at - ramp_since_ < window) return std::nullopt;
+    if (now.at - ramp_since_ < window || is_new_mode || !has_mode) return std::nullopt;
     const double seconds = std::chrono::duration<double>{now.at - ramp_since_}.count();
     const double most = limits_.acceleration * seconds * 1.25 + limits_.velocity * 0.15 + motor_judge::standstill;
     const double change = std::abs(now.velocity - ramp_from_);

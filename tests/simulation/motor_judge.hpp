@@ -51,6 +51,7 @@ class motor_judge {
 
   private:
     static constexpr time to_increment = std::chrono::milliseconds{10};
+    static constexpr time to_second_set_point = std::chrono::milliseconds{20}; // two of the longest periods
 
     [[nodiscard]] std::optional<motor_breach> check_limits(const motor_sample& now) const;
     [[nodiscard]] std::optional<motor_breach> check_power(const motor_sample& now);
@@ -59,7 +60,7 @@ class motor_judge {
 
     joint_limits limits_;
     std::optional<motor_sample> last_{};
-    time set_point_at_{}, ramp_since_{};
+    time set_point_at_{}, ramp_since_{}, mode_since_{};
     time without_power_at_{std::chrono::seconds{-1}}, powered_at_{std::chrono::seconds{-1}};
     double ramp_from_{};
 };

@@ -96,6 +96,28 @@ TEST_CASE("a velocity that changes faster than the ramp is found") {
     REQUIRE(last_breaks(51, enabled, [](motor_sample& one, int i) { one.velocity = -9'000 + i * 360; }));
 }
 
+TEST_CASE("the moment in which a motor waits for its second set-point between two modes counts for no ramp") {
+    const auto drive = [](int changed_back_at, int per_ms) {
+        return last_breaks(200, enabled, [&](motor_sample& one, int i) {
+            const bool is_position = i >= 100 && i < changed_back_at;
+            one.mode = is_position ? mode::cyclic_synchronous_position : mode::cyclic_synchronous_velocity;
+            one.velocity = i >= 100 && i < 103 ? 0 : 9'000;
+            if (i > 150) one.velocity -= per_ms * (i - 150);
+        });
+    };
+    REQUIRE_FALSE(drive(102, 0));
+    REQUIRE_FALSE(drive(103, 200));
+    REQUIRE_FALSE(drive(110, 0));
+    REQUIRE_FALSE(drive(130, 0));
+}
+
+TEST_CASE("a velocity that changes too fast is found, too, after the mode has changed for a moment") {
+    REQUIRE(last_breaks(151, enabled, [&](motor_sample& one, int i) {
+        one.mode = i >= 100 && i < 103 ? mode::cyclic_synchronous_position : mode::cyclic_synchronous_velocity;
+        one.velocity = i < 103 ? -9'000 : -9'000 + (i - 102) * 360;
+    }));
+}
+
 TEST_CASE("a run of joints goes on until its end, and keeps the contract") {
     for (std::uint64_t seed = 0; seed != 16; ++seed) {
         INFO(seed);
