@@ -118,9 +118,9 @@ TEST_CASE("a report is refused while an object has not been read") {
     arm<1> a;
     bridging::object_uploads<report_joint_efforts_table<joints>, joints> uploads{a.where};
     for (std::size_t i = 0; i != joints; ++i)
-        uploads.on_read(i, i == 4 ? std::span<const std::byte>{} : std::span<const std::byte>{uploads.jobs()[i].into});
+        uploads.on_read(i, i == 0 ? std::span<const std::byte>{} : std::span<const std::byte>{uploads.jobs()[i].into});
     CHECK(uploads.report(a.scales, a.body).error() == translate::errc::wrong_size);
-    uploads.on_read(4, uploads.jobs()[4].into); // the others are of an earlier reading
+    uploads.on_read(0, uploads.jobs()[0].into); // the others are of an earlier reading
     CHECK(uploads.report(a.scales, a.body).error() == translate::errc::wrong_size);
     for (std::size_t i = 0; i != joints; ++i) uploads.on_read(i, uploads.jobs()[i].into);
     CHECK(uploads.report(a.scales, a.body));
