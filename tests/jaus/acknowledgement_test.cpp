@@ -417,6 +417,16 @@ TEST_CASE("a possible repeat of an executed message numbered 0 gets no NAK") {
     REQUIRE(a.answer(3) == ack_nak::nak);
 }
 
+TEST_CASE("a possible repeat numbered 0 that was not answered is remembered, so that the next one gets no NAK either") {
+    arm a; // remembers for a second
+    REQUIRE(a.hear(0x0405, 0) == received::handed_on);
+    a.commands.on_change();
+    a.sent.clear();
+    for (const auto now : {900ms, 1500ms})
+        REQUIRE(a.hear(0x0405, 0, 0, now, message_outcome::refused) == received::handed_on);
+    REQUIRE(a.sent.size() == 0);
+}
+
 TEST_CASE("a refused repeat of a pending message numbered 0 gets no NAK") {
     arm a;
     REQUIRE(a.hear(0x0405, 0, 1, 0s, message_outcome::deferred) == received::handed_on);

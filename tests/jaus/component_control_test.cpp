@@ -239,6 +239,32 @@ TEST_CASE("a further command of a sender without control does not make its heart
     REQUIRE_FALSE(a.control.takes_pulse(pulse));
 }
 
+TEST_CASE(
+    "a sender without control that was heard again is queried after a quarter of the timeout, as a controller is") {
+    arm a{{.timeout = 1s}};
+    const jaus::header move{.command_code = 0x0405, .destination = self, .source = ocu};
+    a.control.heard(move, instant{10s});
+    a.control.obeyed(move, message_outcome::handled, instant{10s});
+    a.control.on_time(instant{10750ms}, a.sent.sink());
+    REQUIRE(a.control.next_event() == instant{11s}); // its end
+    a.control.heard({.command_code = 0x4405, .destination = self, .source = ocu}, instant{10800ms});
+    REQUIRE(a.control.next_event() == instant{11050ms});
+    a.request(9, other, 10900ms); // it is watched beside a controller, too
+    REQUIRE(a.control.next_event() == instant{11050ms});
+    a.control.heard(move, instant{10950ms});
+    REQUIRE(a.control.next_event() == instant{11150ms});
+}
+
+TEST_CASE("a controller that asks again has the authority of that request, and its heartbeat is still expected") {
+    arm a{{.timeout = 1s}};
+    a.request(9, ocu, 10s);
+    a.control.on_time(instant{10250ms}, a.sent.sink());
+    REQUIRE(a.request(2, ocu, 10300ms) == control_accepted);
+    REQUIRE(a.control.takes_pulse({.command_code = 0x4202, .destination = self, .source = ocu}));
+    REQUIRE(a.report().authority_code == 2);
+    REQUIRE(a.request(3, other, 10400ms) == control_accepted);
+}
+
 TEST_CASE("the default timeout is half a second, and any other than 0 works") {
     arm a;
     a.request(1, ocu, 10s);
@@ -398,4 +424,27 @@ TEST_CASE("only control that is requested or held is lost with its component") {
     held.release(sent.sink());
     held.on_lost(self);
     expect({state::asking, state::none});
+}
+
+TEST_CASE("control that was rejected is not released, and a new request for it has all its attempts") {
+    sent_messages sent;
+    jaus::held_control held{ocu, self, {.retry = {.interval = 1s, .attempts = 3}}};
+    const auto hear = [&](const auto& body) {
+        const auto bytes = message({.destination = ocu, .source = self}, body);
+        const auto m = jaus::split(bytes);
+        return held.on_message(m.header, m.body, instant{0s}, sent.sink());
+    };
+    held.ask(100, instant{0s}, sent.sink());
+    REQUIRE(hear(jaus::confirm_component_control{control_accepted}) == message_outcome::handled);
+    REQUIRE(hear(jaus::reject_component_control{}) == message_outcome::handled);
+    sent.clear();
+    REQUIRE(hear(jaus::query_heartbeat_pulse{}) == message_outcome::unhandled);
+    REQUIRE(sent.empty()); // the target has taken it back itself
+    for (int run = 0; run != 2; ++run) {
+        sent.clear();
+        held.ask(100, instant{0s}, sent.sink());
+        while (held.next_event()) held.on_time(*held.next_event(), sent.sink());
+        REQUIRE(held.state() == jaus::control_state::unanswered);
+        REQUIRE(sent.size() == 3);
+    }
 }

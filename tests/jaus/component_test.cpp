@@ -530,6 +530,15 @@ TEST_CASE("places are kept for the controller, whatever others are allowed to se
     REQUIRE(a.hear(stop, {1, 61, 1, 9}, ack_nak::request, 1) == handled);
 }
 
+TEST_CASE("the places that the controller has are none of the share of all others") {
+    arm a; // of 64 places
+    a.put_under_control_of(ocu_address);
+    for (std::uint16_t i = 1; i != 33; ++i) REQUIRE(a.hear(push, ocu_address, ack_nak::request, i) == handled);
+    for (std::uint8_t i = 50; i != 82; ++i)
+        REQUIRE(a.hear(jaus::request_component_control{0}, {1, i, 1, 9}, ack_nak::request, 1) == handled);
+    REQUIRE(a.hear(jaus::request_component_control{0}, {1, 82, 1, 9}, ack_nak::request, 1) == no_capacity);
+}
+
 TEST_CASE("a command that an actuator executes later is acknowledged after its execution") {
     jaus::component_memory<4, 64, 64> memory{};
     jaus::component core{arm_address, memory, {}, {}};
@@ -1056,6 +1065,11 @@ TEST_CASE("a deferred command is watched before it is executed, and replaces oth
         REQUIRE(loses(1500ms));
         REQUIRE_FALSE(loses(5s));
     }
+    SECTION("not executed, and no other one: it moves it, for all that is known") {
+        finish(tell(boss_address, 1s, message_outcome::deferred), false, 1100ms);
+        REQUIRE_FALSE(loses(1499ms));
+        REQUIRE(loses(1500ms));
+    }
     SECTION("executed: only the last one moves it") {
         tell(ocu_address, 1s, message_outcome::handled);
         finish(tell(boss_address, 1400ms, message_outcome::deferred), true, 1450ms);
@@ -1138,6 +1152,19 @@ TEST_CASE("what a controller leaves in force is watched after its control has en
     }
 }
 
+TEST_CASE("what a controller leaves in force is watched after the component has taken control back") {
+    arm a;
+    a.put_under_control_of(ocu_address);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::none, 0, 100ms) == handled);
+    a.core.reject_control(a.sent.sink());
+    REQUIRE(a.hooks.changes == std::vector{jaus::control_change::rejected});
+    REQUIRE(a.core.control().is_moved_by(ocu_address));
+    a.core.on_time(instant{599ms}, a.sent.sink());
+    REQUIRE(a.hooks.changes.size() == 1);
+    a.core.on_time(instant{600ms}, a.sent.sink());
+    REQUIRE(a.hooks.changes.back() == jaus::control_change::lost);
+}
+
 TEST_CASE("a sender that takes control is watched once, and right after its loss the next sender is") {
     arm a;
     REQUIRE(a.hear(push, ocu_address) == handled);
@@ -1154,12 +1181,15 @@ TEST_CASE("a sender that takes control is watched once, and right after its loss
 }
 
 TEST_CASE("a state in which nothing moves ends the watch of senders") {
-    for (const int way : {0, 1, 2}) {
+    for (const int way : {0, 1, 2, 3, 4}) {
+        CAPTURE(way);
         arm a;
         REQUIRE(a.hear(push, ocu_address) == handled);
         if (way == 0) a.hear(jaus::standby{}, boss_address);
         if (way == 1) a.hear(stop, boss_address);
         if (way == 2) a.core.at_rest();
+        if (way == 3) a.hear(jaus::reset{}, boss_address);
+        if (way == 4) a.hear(jaus::shutdown{}, boss_address);
         a.sent.clear();
         a.core.on_time(instant{1s}, a.sent.sink());
         REQUIRE(a.sent.empty());
@@ -1215,6 +1245,7 @@ TEST_CASE("commands are not repeated after Reject Component Control, but what an
     send(arm_address, stop);
     send(arm_address, jaus::query_wrench_effort{});
     send(boss_address, push);
+    send({2, arm_address.component, arm_address.node, arm_address.subsystem}, push); // another instance
     sent.clear();
     operator_.hear({.command_code = jaus::command_code_of<jaus::reject_component_control>,
                     .destination = ocu_address,
@@ -1223,5 +1254,5 @@ TEST_CASE("commands are not repeated after Reject Component Control, but what an
     REQUIRE(operator_.hooks.outcomes == std::vector<std::pair<std::uint16_t, delivered>>{
                                             {0x0405, delivered::control_lost}, {0x0003, delivered::control_lost}});
     operator_.core.on_time(instant{250ms}, sent.sink());
-    REQUIRE(sent.size() == 3);
+    REQUIRE(sent.size() == 4);
 }

@@ -210,6 +210,15 @@ TEST_CASE("a first-change event is sent once, and again after an update") {
     REQUIRE(p.drive(4, 5s) == 0);
 }
 
+TEST_CASE("an event that a minimum rate makes without a change is not the first change") {
+    provider p;
+    p.create({.message_code = velocity, .event_type = event_type::first_change, .requested_minimum_periodic_rate = 1});
+    REQUIRE(p.wait(1500ms) == 1);
+    REQUIRE(p.drive(1, 1600ms) == 1);
+    REQUIRE(p.drive(2, 1700ms) == 0);
+    REQUIRE(p.wait(10s) == 0);
+}
+
 TEST_CASE("a one-time event is sent at once, or with the first available report") {
     provider p;
     p.create({.message_code = velocity, .event_type = event_type::one_time_on_demand});
@@ -418,6 +427,27 @@ TEST_CASE("without a report when the event is set up, the first report of a limi
                   .lower_limit = real(5)});
         REQUIRE(p.drive(7, 1s) == (is_there ? 0 : 1));
     }
+}
+
+TEST_CASE("without a report when the event is updated, the first report of a limited event counts as a change") {
+    provider p;
+    const jaus::create_event request{.message_code = velocity,
+                                     .event_type = event_type::every_change,
+                                     .event_boundary = event_boundary::strictly_greater_than,
+                                     .limit_data_field = std::uint8_t{2},
+                                     .lower_limit = real(5)};
+    const auto id = p.create(request);
+    REQUIRE(p.drive(7, 1s) == 1);
+    REQUIRE(p.drive(7, 2s) == 0);
+    p.current.reset();
+    REQUIRE(p.hear(viewer, jaus::as_update(request, id), 3s) == message_outcome::handled);
+    REQUIRE(p.drive(7, 4s) == 1);
+}
+
+TEST_CASE("a minimum rate is kept within the highest rate of the report") {
+    provider p;
+    p.create({.message_code = devices, .event_type = event_type::every_change, .requested_minimum_periodic_rate = 100});
+    REQUIRE(p.wait(1050ms) == 10);
 }
 
 TEST_CASE("a minimum rate makes events without changes") {
@@ -861,6 +891,17 @@ TEST_CASE("a consumer abandons the events of a provider that has disappeared") {
     REQUIRE(c.hear(confirmed("00 05 04 44 01 00")).what == event_notice::confirmed); // 4 cancelled the unknown event
 }
 
+TEST_CASE("a consumer abandons an event that is stale when its provider has disappeared") {
+    consumer c;
+    REQUIRE(c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, instant{0s},
+                            c.sent.sink()));
+    c.hear(confirmed("00 01 04 44 07 00"));
+    while (c.first().state != requested_state::stale) c.events.on_time(*c.events.next_event(), c.sent.sink());
+    REQUIRE(c.events.on_lost(sensor) == 1);
+    REQUIRE(c.first().state == requested_state::unanswered);
+    REQUIRE(c.events.next_event() == std::nullopt);
+}
+
 namespace {
 
 /// Hands on what provider and consumer have sent each other, until nothing is left; the events that came.
@@ -937,6 +978,24 @@ TEST_CASE("a consumer that restarts repeatedly leaves no events behind") {
             third) == event_response::connection_refused);
 }
 
+TEST_CASE("an event that was requested again is not superseded by another one of that number") {
+    provider p;
+    const auto request = [](std::uint8_t id, event_type type) {
+        return jaus::create_event{.local_request_id = id, .message_code = velocity, .event_type = type};
+    };
+    REQUIRE(p.create(request(1, event_type::every_change)) == 1);
+    REQUIRE(p.create(request(1, event_type::first_change)) == 2);
+    REQUIRE(p.create(request(1, event_type::every_change)) == 1);
+    REQUIRE(p.create(request(2, event_type::every_change)) == 3);
+    REQUIRE(p.create(request(3, event_type::every_change)) == 4); // beyond the share of its node
+    const auto has = [&](std::uint8_t id) {
+        return std::ranges::count(p.events.records(), id, &jaus::event_record::event_id) == 1;
+    };
+    REQUIRE(has(1));
+    REQUIRE_FALSE(has(2));
+    REQUIRE(has(3));
+}
+
 TEST_CASE("requesters that number their requests alike keep their events when all places are taken") {
     provider p;
     const auto request = [](std::uint8_t id, event_type type) {
@@ -959,6 +1018,12 @@ TEST_CASE("an event without a request is cancelled, at most once for each answer
     REQUIRE(c.sent.body<jaus::cancel_event>(0).message_code == velocity);
     REQUIRE(c.hear(event_number(2), 2s).what == event_notice::unknown);
     REQUIRE(c.sent.size() == 2);
+    // Another one of the same report is cancelled at once.
+    c.hear(jauscat::test::message({.destination = viewer, .source = sensor},
+                                  jaus::event{.event_id = 8, .message_code = velocity}),
+           2s);
+    REQUIRE(c.sent.size() == 3);
+    REQUIRE(c.sent.body<jaus::cancel_event>(2).event_id == std::uint8_t{8});
 
     // Not while its confirmation may be under way.
     c.sent.clear();
@@ -1023,7 +1088,10 @@ TEST_CASE("late events and copies are dropped at any time, also after a silence"
            3602s);
     REQUIRE(c.first().state == requested_state::active);
     REQUIRE(c.hear(event_number(61), 3602s).what == event_notice::repeated);
-    SECTION("it goes on") { REQUIRE(c.hear(event_number(63), 3602s).what == event_notice::event); }
+    SECTION("it goes on") {
+        REQUIRE(c.hear(event_number(63), 3602s).what == event_notice::event);
+        REQUIRE(c.hear(event_number(1), 3602s).what == event_notice::repeated); // the doubt is over
+    }
     SECTION("it counts anew") {
         REQUIRE(c.hear(event_number(1), 3602s).what == event_notice::event);
         REQUIRE(c.hear(event_number(2), 3602s).what == event_notice::event);

@@ -240,6 +240,22 @@ TEST_CASE("equal data sets of two senders, or of two codes, are both received") 
     REQUIRE(r.whole == texts{"01 02", "01 02", "01 02"});
 }
 
+TEST_CASE("an equal data set without acknowledgement is received also if its last packet comes first") {
+    receiver r;
+    REQUIRE(r.hear(data_flag::first, 0, "01", 0ms) == reassembled::waiting);
+    REQUIRE(r.hear(data_flag::last, 1, "02", 0ms) == reassembled::whole);
+    REQUIRE(r.hear(data_flag::last, 1, "02", 100ms) == reassembled::waiting);
+    REQUIRE(r.hear(data_flag::first, 0, "01", 101ms) == reassembled::whole);
+}
+
+TEST_CASE("a data set may take longer than the longest gap between two of its packets") {
+    receiver r; // a gap of 1 s
+    REQUIRE(r.hear(data_flag::first, 0, "01", 0ms) == reassembled::waiting);
+    REQUIRE(r.hear(data_flag::middle, 1, "02", 900ms) == reassembled::waiting);
+    REQUIRE(r.hear(data_flag::last, 2, "03", 1800ms) == reassembled::whole);
+    REQUIRE(r.lost.empty());
+}
+
 TEST_CASE("a last packet repeated for want of its acknowledgement begins no data set") {
     receiver r;
     const auto hear = [&](data_flag flag, std::uint16_t number, const std::string& body, instant now) {

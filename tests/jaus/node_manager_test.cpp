@@ -156,7 +156,7 @@ TEST_CASE("a component sends its heartbeats to its node manager, or none") {
     jaus::described_component component{self, description, jaus::heartbeat_to_node_manager(self), {}};
     component.on_time(instant{0s}, out);
     component.on_time(instant{500ms}, out);
-    component.on_time(instant{1s}, out);
+    component.on_time(instant{1300ms}, out); // late, which delays no other one
     REQUIRE(out.take() == lines{"4202 1.2.33.1 to 1.2.1.1", "4202 1.2.33.1 to 1.2.1.1"});
     REQUIRE(component.next_event() == instant{2s});
     jaus::described_component silent{self, description, {.period = 0s}, {}};
@@ -277,8 +277,9 @@ TEST_CASE("a pinned peer stays without heartbeats") {
     REQUIRE(n.manager.keep(make(4, 1)));
     REQUIRE(n.manager.keep(make(4, 1)));
     n.beat(make(4, 1), 1s);
+    n.beat(make(5, 1), 1s);
     n.manager.on_time(instant{std::chrono::hours{1000}}, n.out);
-    REQUIRE(n.seen.empty());
+    REQUIRE(n.seen == lines{"+5.1.1.1", "-5.1.1.1"});
     REQUIRE(n.subsystems() == lines{"1.2.1.1", "4.1.1.1"});
 }
 
@@ -349,6 +350,16 @@ TEST_CASE(
     std::ranges::sort(n.seen);
     REQUIRE(n.seen == lines{"-1.5.1.1", "-1.5.33.1", "-1.5.40.1"});
     REQUIRE(n.configuration(jaus::query_field::subsystem_configuration) == lines{"2: 1.1 33.1 37.2"});
+}
+
+TEST_CASE("a node of another subsystem is not lost with the one of the same ID in the own") {
+    node n;
+    n.manager.on_time(instant{0s}, n.out);
+    n.beat(make(1, 5), 0s);
+    n.beat(make(2, 5), 0s);
+    n.beat(make(2, 5), 2s);
+    n.manager.on_time(instant{3s}, n.out);
+    REQUIRE(n.seen == lines{"+1.5.1.1", "+2.5.1.1", "-1.5.1.1"});
 }
 
 TEST_CASE("a node manager without a survey queries another node once, when it appears") {

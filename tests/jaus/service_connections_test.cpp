@@ -102,6 +102,7 @@ TEST_CASE("suspend, activate and terminate have their effects") {
     REQUIRE(p.hear(activate, 5s) == message_outcome::handled);
     REQUIRE(p.connections.next_event() == instant{5s});
     REQUIRE(p.hear(activate, 5050ms) == message_outcome::handled);
+    REQUIRE(p.connections.next_event() == instant{5s}); // a repeat changes nothing
     REQUIRE(run(p, 6s) == 10);
     REQUIRE(p.sent.header(0).sequence_number == 10);
     REQUIRE(p.hear(terminate) == message_outcome::handled);
