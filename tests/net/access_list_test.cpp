@@ -1,6 +1,7 @@
 // Permitted senders: spoofed sources, strangers, several addresses, and an open list.
 #include "net/config_text.hpp"
 #include <jauscat/net/config/access_list.hpp>
+#include <jauscat/net/node/datagram_gate.hpp>
 
 #include <random>
 
@@ -104,4 +105,14 @@ TEST_CASE("a list of 200 subsystems and 50 nodes agrees with the configuration's
     }
     CHECK(known > 2000);
     CHECK(known < 3000);
+}
+
+TEST_CASE("a datagram of SAE JAUS is accepted from each host of a system") {
+    net::datagram_gate gate{config, net::access::closed, 1};
+    const time_point now{};
+    for (const auto* const host : {"10.0.0.2", "10.0.1.2", "fd00::2", "::ffff:10.0.1.2", "10.0.0.7"}) {
+        CAPTURE(host);
+        CHECK(gate.check_sae(at(host, 50000), now) == verdict::accepted);
+    }
+    CHECK(gate.check_sae(at("10.0.0.9", 3794), now) == verdict::unknown_peer);
 }

@@ -322,6 +322,119 @@ TEST_CASE("a large report that waits is replaced by the next one, and a command 
     }
 }
 
+TEST_CASE("a large report that waits is not replaced by one to another component of its node") {
+    large_data_queue queue{20'000, {}};
+    auto plain = head;
+    plain.command_code = 0x4807;
+    plain.ack_nak = jaus::ack_nak::none;
+    auto other = plain;
+    other.destination.component = 33;
+    // Those that were replaced take no bytes of the queue.
+    for (unsigned i = 0; i != 10; ++i) REQUIRE(queue.push(plain, bytes(5'000)) == jaus::errc::ok);
+    CHECK(queue.size() == 1);
+    REQUIRE(queue.push(other, bytes(5'000)) == jaus::errc::ok);
+    CHECK(queue.size() == 2);
+}
+
+TEST_CASE("a large data set after one that was refused waits for the pause") {
+    transfer t{conditions{.takes = false}};
+    REQUIRE(t.queue.push(head, image(20'000, 1)) == jaus::errc::ok);
+    t.run(20s);
+    REQUIRE(t.outcomes == std::vector{jaus::delivered::refused});
+    REQUIRE(t.queue.push(head, image(20'000, 2)) == jaus::errc::ok);
+    CHECK(*t.queue.next_event() - t.now >= 490ms);
+    CHECK(*t.queue.next_event() - t.now <= 500ms);
+}
+
+TEST_CASE("a large data set waits while its receiver knows an equal one, also after another that was abandoned") {
+    transfer t{conditions{}};
+    REQUIRE(t.queue.push(head, image(20'000, 1)) == jaus::errc::ok);
+    t.run(20s);
+    t.network.receiver_is_there = false;
+    REQUIRE(t.queue.push(head, image(20'000, 2)) == jaus::errc::ok);
+    t.run(20s);
+    REQUIRE(t.outcomes == std::vector{jaus::delivered::acknowledged, jaus::delivered::timed_out});
+    REQUIRE(t.queue.push(head, image(20'000, 1)) == jaus::errc::ok);
+    CHECK(*t.queue.next_event() - t.now >= 2490ms);
+}
+
+namespace {
+
+/// A queue whose packets are acknowledged after a while, unless `is_lost(number)`, and their numbers.
+struct answered_queue {
+    large_data_queue queue{std::size_t{1} << 20U, {}};
+    jauscat::time_point now{};
+    jauscat::duration trip{}; ///< both ways
+    std::vector<std::uint16_t> sent{};
+    std::function<bool(std::uint16_t)> is_lost{};
+
+    bool acknowledge(const jaus::header& packet) {
+        return queue.on_acknowledgement({.ack_nak = jaus::ack_nak::ack,
+                                         .command_code = packet.command_code,
+                                         .destination = packet.source,
+                                         .source = packet.destination,
+                                         .sequence_number = packet.sequence_number},
+                                        now);
+    }
+    /// Until all is sent, or `done()`.
+    void run(const std::function<bool()>& done = [] { return false; }) {
+        std::multimap<jauscat::time_point, jaus::header> answers;
+        for (const auto end = now + 20s; queue.size() != 0 && now < end && !done(); now += 1ms) {
+            queue.on_time(now,
+                          [&](std::span<const std::byte> packet) {
+                              const auto m = jaus::split(packet);
+                              sent.push_back(m.header.sequence_number);
+                              if (!is_lost || !is_lost(m.header.sequence_number)) answers.emplace(now + trip, m.header);
+                          },
+                          {});
+            while (!answers.empty() && answers.begin()->first <= now)
+                acknowledge(answers.extract(answers.begin()).mapped());
+        }
+    }
+};
+
+} // namespace
+
+TEST_CASE("a packet is not sent twice because a large data set to another node has an equal one") {
+    answered_queue q;
+    q.trip = 3ms;
+    auto other = head;
+    other.destination.subsystem = 3;
+    for (const auto& to : {head, other}) {
+        REQUIRE(q.queue.push(to, image(20'000, 1)) == jaus::errc::ok);
+        q.run();
+    }
+    CHECK(q.sent.size() == 2 * 5);
+}
+
+TEST_CASE("a large data set after one of which a packet was repeated once waits for the pause") {
+    answered_queue q;
+    unsigned copies = 0;
+    q.is_lost = [&](std::uint16_t number) { return number == 1 && ++copies == 1; };
+    REQUIRE(q.queue.push(head, image(20'000, 1)) == jaus::errc::ok);
+    q.run();
+    REQUIRE(q.sent.size() == 6);
+    REQUIRE(q.queue.push(head, image(20'000, 2)) == jaus::errc::ok);
+    CHECK(*q.queue.next_event() - q.now >= 490ms);
+}
+
+TEST_CASE("a large data set that begins again counts no acknowledgement from before") {
+    answered_queue q;
+    q.is_lost = [](std::uint16_t number) { return number == 1; };
+    REQUIRE(q.queue.push(head, image(3 * jaus::max_body_size, 1)) == jaus::errc::ok);
+    q.run([&] { return std::ranges::count(q.sent, 0) == 2; });
+    REQUIRE(std::ranges::count(q.sent, 1) == 4);
+    auto late = head;
+    late.sequence_number = 1;
+    REQUIRE(q.acknowledge(late)); // its packet is not the component's, but has to be sent again
+    q.is_lost = {};
+    q.sent.clear();
+    const auto begin = q.now;
+    q.run();
+    CHECK(q.sent == std::vector<std::uint16_t>{1, 2});
+    CHECK(q.now - begin < 10ms); // each in its turn, none for want of an answer
+}
+
 TEST_CASE("a handler of an outcome may clear the queue, and push") {
     transfer t{conditions{}};
     t.on_done = [&] {
@@ -480,7 +593,7 @@ TEST_CASE(
     jaus::component_memory<> memory{};
     jaus::component core{screen, memory, {}, {}};
     auto application = [](const jaus::header&, std::span<const std::byte>) { return jaus::message_outcome::handled; };
-    const jauscat::net::jaus_node_options options{.large_data_timeout = 3s};
+    const jauscat::net::jaus_node_options options{.large_data_timeout = 2s}; // not that of peers
     std::vector<std::string> lines;
     jauscat::net::limited_log log{[&](std::string_view line) { lines.emplace_back(line); }};
     jauscat::net::detail::node_components components{options, log};
@@ -490,10 +603,10 @@ TEST_CASE(
     auto packet = head;
     packet.data_flag = jaus::data_flag::first;
     for (const auto at : {10s, 11s}) components.hand_on(0, packet, image(10, 1), {.now = instant{at}}, ignore);
-    components.on_time(instant{13s}, ignore);
+    components.on_time(instant{12s}, ignore);
     CHECK(lines.empty());
-    REQUIRE(components.next_event() == instant{14s});
-    components.on_time(instant{14s}, ignore);
+    REQUIRE(components.next_event() == instant{13s});
+    components.on_time(instant{13s}, ignore);
     REQUIRE(lines.size() == 1);
     CHECK(lines[0].find("is dropped after 1 packets") != std::string::npos);
 }
@@ -604,6 +717,32 @@ TEST_CASE("a large data set that the component refused is refused again if the N
     late.data_flag = first;
     components.hand_on(0, late, {}, {.now = now}, [](std::span<const std::byte>) { FAIL("answered"); });
     REQUIRE(core.count(jaus::component_outcome::unmatched_acknowledgement) == 1);
+}
+
+TEST_CASE(
+    "a packet of a large data set is acknowledged once packet 0 has come, and a deferred one with its last packet") {
+    jaus::component_memory<> memory{};
+    jaus::component core{screen, memory, {}, {}};
+    core.change(jaus::state_event::initialized);
+    auto application = [](const jaus::header&, std::span<const std::byte>) { return jaus::message_outcome::deferred; };
+    const jauscat::net::jaus_node_options options{};
+    jauscat::net::limited_log log{{}};
+    jauscat::net::detail::node_components components{options, log};
+    components.add({core, application});
+    components.start(1U << 20U, nullptr);
+    const auto answer_to = [&](jaus::data_flag flag, std::uint16_t number) {
+        auto packet = head;
+        packet.data_flag = flag;
+        packet.sequence_number = number;
+        jaus::ack_nak what{};
+        components.hand_on(0, packet, std::array{std::byte{1}}, {.now = instant{1s}},
+                           [&](std::span<const std::byte> message) { what = jaus::split(message).header.ack_nak; });
+        return what;
+    };
+    CHECK(answer_to(jaus::data_flag::middle, 1) == jaus::ack_nak::none);
+    CHECK(answer_to(jaus::data_flag::first, 0) == jaus::ack_nak::ack);
+    CHECK(answer_to(jaus::data_flag::middle, 1) == jaus::ack_nak::ack);
+    CHECK(answer_to(jaus::data_flag::last, 2) == jaus::ack_nak::ack);
 }
 
 TEST_CASE("one node does not take all places of the large data sets that a receiver remembers") {

@@ -16,6 +16,12 @@ struct simulated_pair {
     simulated_program robot{network, config("robot", systems), make(2, 1, 33)};
 };
 
+/// Lists Set Wrench Effort with some of its fields.
+struct listing {
+    std::uint32_t fields{};
+    void list_messages(auto&& takes, auto&&) const { takes(jaus::supported_message{0x0405, fields}); }
+};
+
 /// Twenty a second.
 void request_status_events(simulated_pair& p, const jaus::address& provider) {
     REQUIRE(p.ocu.node.send({.destination = provider, .source = p.ocu.self},
@@ -198,6 +204,163 @@ TEST_CASE("an event on demand has the time at which it was requested") {
     REQUIRE(reported->time_stamp);
     CHECK(reported->time_stamp->seconds == 1);
     CHECK(reported->time_stamp->milliseconds == 234);
+}
+
+TEST_CASE("the reports of a connection to the time have the time at which they are sent") {
+    simulated_pair p;
+    auto& now = p.network.now;
+    std::vector<unsigned> seconds;
+    p.ocu.heard = [&](const jaus::header& head, std::span<const std::byte> body) {
+        jaus::report_time report{};
+        if (head.command_code != jaus::command_code_of<jaus::report_time>) return;
+        REQUIRE(wire::decode(report, body));
+        seconds.push_back(report.time_stamp ? report.time_stamp->seconds : 99);
+    };
+    const jaus::header head{.destination = make(2, 1), .source = p.ocu.self};
+    REQUIRE(p.ocu.node.send(head, jaus::set_time{.time_stamp = jaus::time_stamp{.hours = 12}}, now));
+    p.network.run(now + 100ms);
+    REQUIRE(
+        p.ocu.node.send(head, jaus::create_service_connection{jaus::command_code_of<jaus::report_time>, 1, 0xFF}, now));
+    p.network.run(now + 3500ms);
+    CHECK(seconds == std::vector{0U, 1U, 2U, 3U});
+}
+
+TEST_CASE("a node that was stopped sends no events that were requested before") {
+    simulated_pair p;
+    auto& now = p.network.now;
+    unsigned events = 0;
+    p.robot.on_sent = [&](std::span<const std::byte> message) {
+        events += jaus::split(message).header.command_code == jaus::command_code_of<jaus::event>;
+    };
+    request_status_events(p, p.robot.self);
+    p.network.run(now + 1s);
+    CHECK(events >= 19);
+    p.robot.node.stop();
+    p.robot.node.start(now);
+    events = 0;
+    p.network.run(now + 1s);
+    CHECK(events == 0);
+}
+
+TEST_CASE("an event on change is not sent for a change before it was requested") {
+    simulated_pair p;
+    auto& now = p.network.now;
+    unsigned events = 0;
+    p.robot.on_sent = [&](std::span<const std::byte> message) {
+        events += jaus::split(message).header.command_code == jaus::command_code_of<jaus::event>;
+    };
+    const jaus::header head{.destination = p.robot.self, .source = p.ocu.self};
+    const auto request = [&] {
+        REQUIRE(p.ocu.node.send(head,
+                                jaus::create_event{.message_code = jaus::command_code_of<jaus::report_component_status>,
+                                                   .event_type = jaus::event_type::every_change},
+                                now));
+        p.network.run(now + 100ms);
+    };
+    request();
+    REQUIRE(p.ocu.node.send(head, jaus::cancel_event{}, now));
+    p.network.run(now + 100ms);
+    REQUIRE(p.ocu.node.send(head, jaus::standby{}, now));
+    p.network.run(now + 100ms);
+    request();
+    CHECK(events == 0);
+    REQUIRE(p.ocu.node.send(head, jaus::resume{}, now));
+    p.network.run(now + 100ms);
+    CHECK(events == 1);
+}
+
+TEST_CASE("a node of another subsystem makes no event of the configuration of the own") {
+    simulated_network network{};
+    const auto systems =
+        system("ocu", "1.0.0.0", 1001) + system("robot", "2.1.0.0", 1002) + system("tool", "2.2.0.0", 1003);
+    simulated_program robot{network, config("robot", systems), make(2, 1, 33)};
+    unsigned events = 0;
+    robot.on_sent = [&](std::span<const std::byte> message) {
+        events += jaus::split(message).header.command_code == jaus::command_code_of<jaus::event>;
+    };
+    simulated_program ocu{network, config("ocu", systems), make(1, 1, 32)};
+    REQUIRE(ocu.node.send({.destination = make(2, 1), .source = ocu.self},
+                          jaus::create_event{.message_code = jaus::command_code_of<jaus::report_configuration>,
+                                             .event_type = jaus::event_type::every_change},
+                          network.now));
+    network.run(network.now + 2s);
+    REQUIRE(has(robot.appeared, make(1, 1)));
+    CHECK(events == 0);
+    simulated_program tool{network, config("tool", systems), make(2, 2, 50)};
+    network.run(network.now + 2s);
+    REQUIRE(has(robot.appeared, make(2, 2)));
+    CHECK(events != 0);
+}
+
+TEST_CASE("a component of the own node that is lost does not take others of the node with it") {
+    simulated_network network{};
+    const auto systems = system("ocu", "1.0.0.0", 1001) + system("robot", "2.0.0.0", 1002) +
+                         system("first", "2.1.40.0", 1003) + system("second", "2.1.41.0", 1004);
+    simulated_program robot{network, config("robot", systems), make(2, 1, 33)};
+    const auto arrives = [&](unsigned port, const jaus::address& from, const jaus::address& to, const auto& body) {
+        std::array<std::byte, 64> message{};
+        const auto made = jaus::make_message({.destination = to, .source = from}, body, message);
+        REQUIRE(made);
+        const simulated_network::endpoint at{boost::asio::ip::make_address("127.0.0.1"),
+                                             static_cast<std::uint16_t>(port)};
+        REQUIRE(robot.node.on_datagram(*made, at, {}, false, network.now) == net::verdict::accepted);
+    };
+    arrives(1003, make(2, 1, 40), make(2, 1), jaus::report_heartbeat_pulse{});
+    REQUIRE(has(robot.appeared, make(2, 1, 40)));
+    network.run(network.now + 2s);
+    const jaus::set_emergency stop{{jaus::set_emergency_code::transition_to_emergency}};
+    arrives(1004, make(2, 1, 41), robot.self, stop);
+    REQUIRE(network.run(network.now + 2s, [&] { return has(robot.disappeared, make(2, 1, 40)); }));
+    // The one that holds the emergency is there: no other one ends it.
+    arrives(1001, make(1, 1, 32), robot.self, jaus::clear_emergency{{jaus::clear_emergency_code::clear_emergency}});
+    CHECK(robot.core.state() == jaus::primary_status_code::emergency);
+    arrives(1004, make(2, 1, 41), robot.self, jaus::clear_emergency{{jaus::clear_emergency_code::clear_emergency}});
+    CHECK(robot.core.state() == jaus::primary_status_code::standby);
+}
+
+TEST_CASE("what a component sends to a silent stranger goes out, unless it is a report that is sent repeatedly") {
+    simulated_network network{};
+    simulated_program robot{
+        network, config("robot", system("robot", "2.0.0.0", 1002)), make(2, 1, 33), {.accept = net::access::open}};
+    const auto stranger = make(7, 1, 35);
+    std::array<std::byte, 64> message{};
+    const auto made =
+        jaus::make_message({.destination = robot.self, .source = stranger}, jaus::query_component_status{}, message);
+    REQUIRE(made);
+    REQUIRE(robot.node.on_datagram(*made, {boost::asio::ip::make_address("10.9.9.9"), 1001}, {}, false, network.now) ==
+            net::verdict::accepted);
+    const auto goes_out = [&](bool of_connection, const auto& body) {
+        const auto before = network.sent;
+        const jaus::header head{.service_connection = of_connection, .destination = stranger, .source = robot.self};
+        REQUIRE(robot.node.send(head, body, network.now));
+        return network.sent == before + 1;
+    };
+    const jaus::report_component_status report{};
+    CHECK(goes_out(false, jaus::event{}));
+    CHECK(goes_out(true, report));
+    network.run(network.now + 10s);
+    CHECK_FALSE(goes_out(false, jaus::event{}));
+    CHECK_FALSE(goes_out(true, report));
+    CHECK(goes_out(false, report));
+    CHECK(goes_out(false, jaus::query_heartbeat_pulse{}));
+}
+
+TEST_CASE("a component without a name has the authority of the configuration") {
+    simulated_network network;
+    const auto systems =
+        system("ocu", "1.0.0.0", 1001) + system("robot", "2.0.0.0", 1002, "<component id='33' authority='7'/>");
+    simulated_program ocu{network, config("ocu", systems), make(1, 1, 32)};
+    simulated_program robot{network, config("robot", systems), make(2, 1, 33)};
+    unsigned told = 0;
+    ocu.heard = [&](const jaus::header& head, std::span<const std::byte> body) {
+        jaus::report_identification report{};
+        if (head.command_code == jaus::command_code_of<jaus::report_identification> && wire::decode(report, body))
+            told = report.authority_code;
+    };
+    REQUIRE(ocu.node.send({.destination = robot.self, .source = ocu.self},
+                          jaus::query_identification{jaus::query_type::component_identification}, network.now));
+    network.run(network.now + 10ms);
+    CHECK(told == 7);
 }
 
 TEST_CASE("a component is taken away only while its node is stopped") {
@@ -436,6 +599,11 @@ TEST_CASE("a component lists each message that its dispatcher handles or its par
     REQUIRE(offered.output == list{{0x0009}, {0x4405, 0xFFFFFFFF}});
 }
 
+TEST_CASE("a message that is listed twice has the fields of both") {
+    const net::detail::offered_messages offered{listing{1}, listing{6}};
+    REQUIRE(offered.input == std::vector<jaus::supported_message>{{0x0405, 7}});
+}
+
 TEST_CASE("a message that the node manager does not know is told in the log") {
     simulated_pair p;
     REQUIRE(p.ocu.node.send({.command_code = 0xD111, .destination = make(2, 1), .source = p.ocu.self},
@@ -509,6 +677,8 @@ TEST_CASE("a packet of a large data set that waited for long does not become par
     arrives(last, 1, std::byte{2}, 0ms);
     REQUIRE(p.robot.large.empty());
     REQUIRE(p.robot.logged("waited in the socket for 700 ms"));
+    arrives(first, 0, std::byte{1}, 130ms); // longer than a pause between two packets
+    REQUIRE(p.robot.logged("waited in the socket for 130 ms"));
     // What lay there for a moment is taken, as far from the one before as it came.
     p.network.now += 5s;
     arrives(first, 0, std::byte{3}, 0ms);

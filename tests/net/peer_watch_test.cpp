@@ -172,6 +172,36 @@ TEST_CASE("a heartbeat query is no sign of life of the component that it names")
     CHECK(lost == 1);
 }
 
+TEST_CASE("a heartbeat for another component is not the answer to a query of the watch") {
+    net::detail::peer_watch watch{3s};
+    const auto self = make(2, 1, 33), other = make(2, 1, 34), peer = make(1, 1, 32);
+    REQUIRE(watch.bind(peer, self, instant{0s}));
+    unsigned asked = 0;
+    watch.on_time(
+        instant{1s}, [](const jaus::address&) { return false; }, [&](std::span<const std::byte>) { ++asked; },
+        [](const jaus::address&) {});
+    REQUIRE(asked == 1);
+    const auto hear = [&](const jaus::address& to) {
+        return watch.heard({.command_code = 0x4202, .destination = to, .source = peer}, instant{1500ms});
+    };
+    CHECK_FALSE(hear(other));
+    CHECK(hear(self));
+    CHECK_FALSE(hear(self));
+}
+
+TEST_CASE("a peer whose heartbeats the node manager receives is neither queried nor lost") {
+    net::detail::peer_watch watch{3s};
+    REQUIRE(watch.bind(make(1, 1, 32), make(2, 1, 33), instant{0s}));
+    unsigned asked = 0, lost = 0;
+    for (auto now = 500ms; now != 10s; now += 500ms)
+        watch.on_time(
+            instant{now}, [](const jaus::address&) { return true; }, [&](std::span<const std::byte>) { ++asked; },
+            [&](const jaus::address&) { ++lost; });
+    CHECK(asked == 0);
+    CHECK(lost == 0);
+    CHECK(watch.next_event());
+}
+
 TEST_CASE("a peer with very many components leaves places to be watched to others") {
     net::detail::peer_watch watch{3s};
     const auto self = make(2, 1, 33);
