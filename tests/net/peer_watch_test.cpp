@@ -216,3 +216,22 @@ TEST_CASE("a peer with very many components leaves places to be watched to other
     CHECK(watch.bind(make(9, 1, 1), self, instant{0s})); // it is watched already
     CHECK(watch.bind(make(9, 2, 1), self, instant{0s}));
 }
+
+TEST_CASE("a handler that is told of a lost peer may report another one as lost") {
+    node_in_two_programs p;
+    p.connect();
+    const jaus::create_service_connection request{jaus::command_code_of<jaus::report_wrench_effort>, 10, 0};
+    REQUIRE(p.first.node.send({.destination = p.second.self, .source = p.first.self}, request, p.network.now));
+    p.run_for(10ms);
+    unsigned lines = 0;
+    p.second.on_log = [&](std::string_view line) {
+        if (line.find("does not answer any more") == line.npos) return;
+        ++lines;
+        p.second.node.lose(p.first.self, p.network.now); // by the application, which knows that both are gone
+    };
+    p.network.detach(p.ocu.at);
+    p.network.detach(p.first.at);
+    p.run_for(10s);
+    CHECK(lines == 1);
+    CHECK_FALSE(p.second.connections.next_event());
+}

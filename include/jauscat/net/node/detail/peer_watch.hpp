@@ -83,8 +83,9 @@ class peer_watch {
             if (peer.due <= now && is_known(who)) peer.heard_at = now;
             if (now - peer.heard_at >= timeout_) {
                 const auto gone = who;
-                at = peers_.erase(at);
-                lost(gone);
+                peers_.erase(at);
+                lost(gone); // which may make others known, or forget them
+                at = peers_.upper_bound(gone);
                 continue;
             }
             if (peer.due <= now) ask(who, peer, now, out);
