@@ -256,6 +256,16 @@ TEST_CASE("a silent peer is removed from every place of the table") {
     }
 }
 
+TEST_CASE("a component that is kept from now on has the time of its last message") {
+    std::array<jaus::liveness_table::place, 4> places{};
+    jaus::liveness_table table{places};
+    REQUIRE(table.on_heard(make(2, 1), instant{5s}, 3s) == jaus::heard::appeared);
+    REQUIRE(table.keep(make(2, 1)));
+    REQUIRE(table.find(make(2, 1))->last_heard_at == instant{5s});
+    table.on_time(instant{1h}, [](const jaus::address&) { FAIL(); });
+    REQUIRE(table.find(make(2, 1)) != nullptr);
+}
+
 TEST_CASE("a flood of peers fills the free places, is counted, and displaces no peer") {
     node n;
     n.beat(make(2, 1), 0s);

@@ -79,8 +79,8 @@ struct reassembly_limits {
 ///
 /// Packets do not identify their data set: the next one of the same source and code uses the same numbers. Packets that
 /// may be of two data sets are dropped, never combined. A data set is dropped when a packet arrives
-/// - that contradicts it: another body or another end under a number that it has, or another acknowledgement request
-///   than the first's;
+/// - that contradicts it: another body or another end under a number that it has, or no acknowledgement request
+///   where the first one has it;
 /// - and packet 0 has not come within `linger` of the first other one;
 /// - after `longest_gap`, or with another packet 0 after `linger`, where no acknowledgement is asked for. Who asks for
 ///   it sends the last packet when all others are acknowledged, and these have been compared with what is held.

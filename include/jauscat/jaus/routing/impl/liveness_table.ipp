@@ -20,6 +20,10 @@ JAUSCAT_CONSTEXPR heard liveness_table::on_heard(const address& who, time_point 
 }
 
 JAUSCAT_CONSTEXPR bool liveness_table::keep(const address& who) noexcept {
+    if (place* const found = map_.exactly(who)) {
+        found->value.gone_at = time_point::max();
+        return true;
+    }
     return on_heard(who, time_point{}, duration::max()) != heard::no_capacity;
 }
 
