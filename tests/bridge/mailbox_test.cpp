@@ -401,6 +401,43 @@ TEST_CASE("a component that takes control over does not inherit waiting commands
     CHECK(r.motor().effort == 0);
 }
 
+TEST_CASE("waiting commands of a controller are executed after it has released control") {
+    rig r;
+    r.round_trip = 8ms;
+    r.run_until_ready();
+    r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
+    r.tell(jaus::set_travel_speed{.desired_speed = 1}, 0, ack_nak::none); // occupies the slave
+    const auto number = r.drive(50);
+    r.tell(jaus::release_component_control{}, 0, ack_nak::none);
+    REQUIRE_FALSE(r.unit().control().controller());
+    r.run_until_acknowledged(number, 500ms);
+    CHECK(r.motor().effort == Approx(50).margin(0.01));
+}
+
+TEST_CASE("each of several emergency stops of one sender that wait for a slave is acknowledged") {
+    rig r{rig::driving{50}};
+    r.pull_cable();
+    const auto first = r.tell(rig::stop()), second = r.tell(rig::stop());
+    r.repeat(rig::stop(), second); // a copy
+    r.cable_is_out = false;
+    r.run_until_acknowledged(first);
+    r.run_until_acknowledged(second);
+    CHECK(r.motor().emergency);
+}
+
+TEST_CASE("a command that is in its transfer when the program is suspended is not executed after the limit") {
+    rig r{rig::ready{}};
+    r.frames_to_lose = 1; // its first frame
+    const auto number = r.drive(50);
+    r.run(1ms);
+    REQUIRE_FALSE(r.answer(number));
+    REQUIRE(r.options.data_limit < r.options.order_timeout);
+    r.now += r.options.data_limit + 1ms;
+    r.run(500ms);
+    CHECK(std::ranges::count(r.motor().efforts, 0) == std::ssize(r.motor().efforts)); // of stop orders
+    CHECK_FALSE(r.is_acknowledged(number));
+}
+
 TEST_CASE("a component that gets free control does not inherit waiting commands of others") {
     rig r;
     r.round_trip = 8ms;
@@ -582,7 +619,9 @@ TEST_CASE("an emergency of a slave is detected without a message to that slave")
     };
     r.run_until([&] { return !r.watcher.emergencies.empty(); }, r.options.check_interval + 10ms);
     CHECK(r.watcher.emergencies == std::vector<std::uint16_t>{0x2310});
+    r.on_way_back = {};
     r.run(1s);
+    r.run_until_acknowledged(r.drive(50)); // after each message the kept ones are told
     CHECK(r.watcher.emergencies.size() == 1);
     CHECK(r.watcher.lost == 0);
 }
@@ -594,6 +633,12 @@ auto beats_of(rig& r, std::size_t i) {
     r.run(1s);
     return std::ranges::count(r.motor(i).executed, jaus::command_code_of<jaus::report_heartbeat_pulse>);
 }
+void refuse_beat(rig& r, std::size_t i) {
+    r.motor(i).abort_code_of = jaus::command_code_of<jaus::report_heartbeat_pulse>;
+    r.motor(i).aborts = 1;
+    r.run_until([&] { return r.motor(i).aborts == 0; });
+    CHECK(beats_of(r, i) == 0);
+}
 } // namespace
 
 TEST_CASE("a slave without messages gets heartbeats") {
@@ -603,13 +648,20 @@ TEST_CASE("a slave without messages gets heartbeats") {
     CHECK(beats <= 11);
 }
 
+TEST_CASE("a slave that has refused heartbeats is tried again when it was away") {
+    rig r{2};
+    r.run_until_ready();
+    refuse_beat(r, 1);
+    r.actuators[1].power_cycle(); // it may be another device
+    r.run_until([&] { return r.watcher.lost == 1; });
+    r.run_until_ready();
+    CHECK(beats_of(r, 1) >= 8);
+}
+
 TEST_CASE("a slave that is added in place of one that has refused heartbeats gets them") {
     rig r{2};
     r.run_until_ready();
-    r.motor(1).abort_code_of = jaus::command_code_of<jaus::report_heartbeat_pulse>;
-    r.motor(1).aborts = 1;
-    r.run_until([&] { return r.motor(1).aborts == 0; });
-    CHECK(beats_of(r, 1) == 0);
+    refuse_beat(r, 1);
     r.bus.remove(r.fronts[1], r.now);
     bridging::order_memory<16, 1532> memory;
     bridging::slave_front front{r.fronts[1].options(), r.exchanges[1], r.options, memory, r.watcher.observer()};

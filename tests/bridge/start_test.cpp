@@ -143,6 +143,34 @@ TEST_CASE("slaves that another user of the bus scans while they work are lost at
     }
 }
 
+TEST_CASE("a scan that finds no slave clears none: those that come later are cleared first") {
+    rig r{2};
+    r.dead_from = 0;
+    r.run(1s);
+    CHECK_FALSE(r.bus.is_cleared());
+    r.dead_from = 1000;
+    r.run_until_ready();
+    CHECK(r.bus.is_cleared());
+}
+
+TEST_CASE("a slave that works is not brought up in place of one before it whose neighbour is removed") {
+    const bool cyclic = GENERATE(false, true);
+    for (unsigned frames = 1, is_up = 0; is_up == 0; ++frames) {
+        rig r{3, cyclic};
+        r.run_until_ready();
+        r.actuators[1].power_cycle();
+        r.run_until([&] { return r.watcher.lost == 1; });
+        r.run_until([&, before = r.frames] { return r.frames - before >= frames || r.fronts[1].up(); });
+        is_up = r.fronts[1].up();
+        r.bus.remove(r.fronts[0], r.now);
+        r.run_until([&] { return r.fronts[1].up(); }, 1s);
+        r.run(100ms);
+        CHECK(r.watcher.up == 4);
+        CHECK(r.watcher.lost == 1);
+        CHECK(r.fronts[2].up());
+    }
+}
+
 TEST_CASE("a slave is removed while it is brought up with others") {
     rig r{3, true};
     const auto i = GENERATE(0u, 1u, 2u);

@@ -502,7 +502,9 @@ TEST_CASE("a command that waits for its drives is not executed when another comp
     const auto number = d.turn(2.0);
     d.run(100ms);
     REQUIRE(!d.answer(number));
-    d.tell_as({.instance = 1, .component = 40, .node = 1, .subsystem = 2}, jaus::request_component_control{100});
+    auto taker = rig::operator_unit;
+    ++*GENERATE_REF(&taker.instance, &taker.component, &taker.node, &taker.subsystem);
+    d.tell_as(taker, jaus::request_component_control{100});
     d.run_until([&] { return d.answer(number).has_value(); }, 100ms);
     CHECK(d.answer(number) == jaus::ack_nak::nak);
     CHECK(d.watcher.stop_causes.back() == bridging::stop_cause::control_taken);
