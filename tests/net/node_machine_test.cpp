@@ -1,5 +1,6 @@
 // The node without sockets: two of them against each other, in simulated time.
 #include "net/simulated_program.hpp"
+#include "support/bytes.hpp"
 #include <jauscat/schema/jaus/environment_sensor.hpp>
 #include <jauscat/schema/jaus/event.hpp>
 #include <jauscat/text/jaus.hpp>
